@@ -1,0 +1,67 @@
+"""The errors of simkit: each says what was asked, what exists, and what to do."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+
+
+class SimkitError(Exception):
+    """Root of every error that simkit raises on purpose."""
+
+
+def near_names(name: str, known: Iterable[str], limit: int = 3) -> list[str]:
+    """Names of `known` that a person may have meant by `name`, best first.
+
+    Args:
+        name: What was written.
+        known: What exists.
+        limit: At most so many.
+    """
+    by_folded: dict[str, str] = {}
+    for candidate in sorted(known):
+        by_folded.setdefault(candidate.lower(), candidate)
+    close = difflib.get_close_matches(name.lower(), list(by_folded), n=limit, cutoff=0.6)
+    return [by_folded[folded] for folded in close]
+
+
+class UnknownNameError(SimkitError, KeyError):
+    """A name of some kind (topic, service, message type, package, ...) that does not exist."""
+
+    def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
+        self.kind = kind
+        self.name = name
+        self.known = tuple(sorted(known))
+        super().__init__(str(self))
+
+    def __str__(self) -> str:
+        """One line: the unknown name, near names, and (a few of) the known ones."""
+        text = f"no {self.kind} {self.name!r}"
+        near = near_names(self.name, self.known)
+        if near:
+            text += "; did you mean " + " or ".join(repr(n) for n in near) + "?"
+        if self.known:
+            shown = ", ".join(self.known[:12])
+            more = len(self.known) - 12
+            text += f" Known: {shown}" + (f" and {more} more" if more > 0 else "")
+        return text
+
+
+class NodeError(SimkitError):
+    """Something went wrong in a node process; names the node and the student's line."""
+
+    def __init__(self, node: str, text: str, file: str | None = None, line: int | None = None):
+        self.node = node
+        self.text = text
+        self.file = file
+        self.line = line
+        where = f" ({file}:{line})" if file and line else ""
+        super().__init__(f"node {node}: {text}{where}")
+
+
+class NodeDied(NodeError):
+    """A node process ended although it was needed."""
+
+
+class NodeStuck(NodeError):
+    """A node process neither blocked nor ended within its allowance of wall time."""
