@@ -45,23 +45,3 @@ class UnknownNameError(SimkitError, KeyError):
             more = len(self.known) - 12
             text += f" Known: {shown}" + (f" and {more} more" if more > 0 else "")
         return text
-
-
-class NodeError(SimkitError):
-    """Something went wrong in a node process; names the node and the student's line."""
-
-    def __init__(self, node: str, text: str, file: str | None = None, line: int | None = None):
-        self.node = node
-        self.text = text
-        self.file = file
-        self.line = line
-        where = f" ({file}:{line})" if file and line else ""
-        super().__init__(f"node {node}: {text}{where}")
-
-
-class NodeDied(NodeError):
-    """A node process ended although it was needed."""
-
-
-class NodeStuck(NodeError):
-    """A node process neither blocked nor ended within its allowance of wall time."""

@@ -1,0 +1,330 @@
+"""Node side: what a script's modules (`rospy`, `tf`) use to reach the graph. One client per node process.
+
+Everything a script does on the graph is put in an outbox, and leaves when the node blocks: a node acts at one instant, then
+sleeps. A question (a parameter, a topic's type) is answered at once; only blocking lets virtual time pass.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import socket
+import sys
+from collections import deque
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from simkit.graph.process import errors, protocol
+from simkit.graph.process.protocol import Op, Outbox
+from simkit.graph.process.scheduler import Scheduler, Task
+
+MILLISECOND = 1_000_000
+FREE_CLOCK_READS = 50
+"""So often may a script read the clock at one instant before reading it lets a millisecond pass."""
+
+_current: NodeClient | None = None
+_preloading = False
+
+
+class Refused(Exception):
+    """The graph refused a request; the text is a sentence for the student."""
+
+
+class _Worker:
+    """Runs the callbacks of one subscription or service in order, in a task of its own."""
+
+    def __init__(self, scheduler: Scheduler, name: str, queue_size: int | None = None) -> None:
+        self._scheduler = scheduler
+        self._name = name
+        self._task: Task | None = None
+        self._idle = False
+        # A full queue loses its oldest message while a callback sleeps, as rospy's does.
+        self._jobs: deque[Callable[[], None]] = deque(maxlen=queue_size or None)
+
+    def add(self, job: Callable[[], None]) -> None:
+        self._jobs.append(job)
+        if self._task is None:
+            self._task = self._scheduler.start(self._run, self._name)
+        elif self._idle:
+            self._scheduler.make_ready(self._task)
+
+    def _run(self) -> None:
+        while True:
+            while self._jobs:
+                self._run_one(self._jobs.popleft())
+            self._idle = True
+            self._scheduler.block()
+            self._idle = False
+
+
+    def _run_one(self, job: Callable[[], None]) -> None:
+        try:
+            job()
+        except Exception as error:
+            # rospy catches what a callback raises; what comes here is a fault of ours, and must not end the thread
+            errors.print_traceback(error, sys.stderr)
+            current().report_fault(error)
+
+
+class NodeClient:
+    """A node process's line to the graph.
+
+    Args:
+        connection: Connected stream socket; the graph is at the other end.
+        now_ns: Virtual time at the start [ns].
+    """
+
+    def __init__(self, connection: socket.socket, now_ns: int) -> None:
+        self._connection = connection
+        self._reader = protocol.FrameReader()
+        self._outbox = Outbox()
+        self._now_ns = now_ns
+        self._clock_reads = 0
+        self._reply: Any = None
+        self._next_call = 0
+        self._results: dict[int, tuple[bool, bytes]] = {}
+        self._calling: dict[int, Task] = {}
+        self._sinks: dict[int, tuple[_Worker, Callable[[bytes, str], None]]] = {}
+        self._handlers: dict[int, tuple[_Worker, Callable[[bytes, str], tuple[bool, bytes]]]] = {}
+        self.shutdown_reason: str | None = None
+        self.on_shutdown: Callable[[str], None] = lambda _reason: None
+        self.scheduler = Scheduler(self._exchange, lambda: self._now_ns)
+
+    # -- time
+
+    def now_ns(self) -> int:
+        """Virtual time [ns]; a loop that only reads the clock lets it run."""
+        self._clock_reads += 1
+        if self._clock_reads > FREE_CLOCK_READS and self.scheduler.is_task():
+            self.sleep_until(self._now_ns + MILLISECOND)
+        return self._now_ns
+
+    def peek_ns(self) -> int:
+        """Virtual time [ns], for our own use."""
+        return self._now_ns
+
+    def sleep_until(self, time_ns: int) -> None:
+        """Block the calling task until a virtual time [ns], or a shutdown; never returns without any passing."""
+        if time_ns <= self._now_ns:
+            self.let_time_pass()
+        while self._now_ns < time_ns and self.shutdown_reason is None:
+            self.scheduler.block(time_ns)
+
+    def let_time_pass(self) -> None:
+        """Let a millisecond pass, unless the calling task has blocked since it last came here."""
+        task = self.scheduler.current
+        if not task.blocked_since_asked:
+            self.scheduler.block(self._now_ns + MILLISECOND)
+        task.blocked_since_asked = False
+
+    # -- the graph
+
+    def ask(self, op: Op, **request: Any) -> Any:
+        """Put a request to the graph and have the answer at once.
+
+        Raises:
+            Refused: The graph refused, with the reason.
+        """
+        self._outbox.add_json(op, request)
+        self._outbox.add(Op.ASK)
+        self._turn()
+        reply, self._reply = self._reply, None
+        if isinstance(reply, dict) and "error" in reply:
+            raise Refused(reply["error"])
+        return reply
+
+    def advertise(self, topic: str, type_name: str, *, latch: bool) -> int:
+        """A publisher's id."""
+        return int(self.ask(Op.ADVERTISE, topic=topic, type=type_name, latch=latch)["id"])
+
+    def unadvertise(self, publisher_id: int) -> None:
+        """End a publisher."""
+        self._outbox.add(Op.UNADVERTISE, protocol.pack_id(publisher_id))
+
+    def publish(self, publisher_id: int, data: bytes) -> None:
+        """Send a message, in wire format, when the node blocks next."""
+        self._outbox.add(Op.PUBLISH, protocol.pack_id(publisher_id), data)
+
+    def subscribe(
+        self, topic: str, type_name: str, sink: Callable[[bytes, str], None], queue_size: int | None
+    ) -> int:
+        """A subscription's id; `sink` takes wire bytes and the publisher's name, in a task of its own."""
+        number = int(
+            self.ask(Op.SUBSCRIBE, topic=topic, type=type_name, queue_size=queue_size)["id"]
+        )
+        self._sinks[number] = (_Worker(self.scheduler, f"callbacks of {topic}", queue_size), sink)
+        return number
+
+    def unsubscribe(self, subscription_id: int) -> None:
+        """End a subscription; what is on its way is dropped."""
+        self._sinks.pop(subscription_id, None)
+        self._outbox.add(Op.UNSUBSCRIBE, protocol.pack_id(subscription_id))
+
+    def offer_service(
+        self, service: str, type_name: str, handler: Callable[[bytes, str], tuple[bool, bytes]]
+    ) -> int:
+        """A service's id; `handler` takes a request and the caller, gives (success, answer)."""
+        number = int(self.ask(Op.OFFER_SERVICE, service=service, type=type_name)["id"])
+        self._handlers[number] = (_Worker(self.scheduler, f"calls of {service}"), handler)
+        return number
+
+    def withdraw_service(self, service_id: int) -> None:
+        """End a service."""
+        self._handlers.pop(service_id, None)
+        self._outbox.add(Op.WITHDRAW_SERVICE, protocol.pack_id(service_id))
+
+    def call_service(self, service: str, request: bytes) -> tuple[bool, bytes]:
+        """Call a service and block until the answer: (success, response or error text)."""
+        self._next_call += 1
+        number = self._next_call
+        self._calling[number] = self.scheduler.current
+        self._outbox.add(Op.CALL, protocol.pack_id(number), protocol.pack_name(service), request)
+        while number not in self._results and self.shutdown_reason is None:
+            self.scheduler.block()
+        del self._calling[number]
+        return self._results.pop(number, (False, b"node is shutting down"))
+
+    def log(self, level: int, text: str) -> None:
+        """Say something on rosout."""
+        self._outbox.add(Op.LOG, bytes([level]), text.encode("utf-8", "replace"))
+
+    def report_fault(self, error: BaseException) -> None:
+        """Tell the graph of an error that the node survives."""
+        self._outbox.add_json(Op.FAULT, {**errors.describe(error, sys.argv[0])})
+
+    def finish(self, code: int, failure: dict[str, Any] | None) -> None:
+        """The last word of the process."""
+        self._outbox.add_json(Op.EXIT, {"code": code, "failure": failure})
+        self._connection.sendall(self._outbox.take())
+
+    # -- frames
+
+    def _exchange(self, wake_ns: int | None) -> None:
+        self._outbox.add(
+            Op.WAIT, protocol.pack_time(protocol.NEVER if wake_ns is None else wake_ns)
+        )
+        self._turn()
+
+    def _turn(self) -> None:
+        self._flush_output()
+        try:
+            self._connection.sendall(self._outbox.take())
+            frame = protocol.receive_frame(self._connection, self._reader)
+        except OSError:
+            frame = None
+        if frame is None:
+            os._exit(0)  # the simulation is over; no thread of ours has anything left to say
+        for op, body in protocol.records(frame):
+            self._handle(op, body)
+
+    @staticmethod
+    def _flush_output() -> None:
+        for stream in (sys.stdout, sys.stderr):
+            try:
+                stream.flush()
+            except (AttributeError, OSError, ValueError):
+                continue  # a script may close or replace its streams
+
+    def _handle(self, op: Op, body: bytes) -> None:
+        if op is Op.RESUME:
+            time_ns = protocol.unpack_time(body)
+            if time_ns != self._now_ns:
+                self._clock_reads = 0
+            self._now_ns = time_ns
+        elif op is Op.REPLY:
+            self._reply = protocol.unpack_json(body)
+        elif op is Op.DELIVER:
+            self._deliver(body)
+        elif op is Op.CALL_RESULT:
+            number, rest = protocol.unpack_id(body)
+            self._results[number] = (rest[:1] == b"\x01", rest[1:])
+            if number in self._calling:
+                self.scheduler.make_ready(self._calling[number])
+        elif op is Op.SERVE:
+            self._serve(body)
+        elif op is Op.SHUTDOWN:
+            self._shut_down(body.decode())
+
+    def _deliver(self, body: bytes) -> None:
+        number, rest = protocol.unpack_id(body)
+        caller, data = protocol.unpack_name(rest)
+        if number in self._sinks:
+            worker, sink = self._sinks[number]
+            worker.add(lambda: sink(data, caller))
+
+    def _serve(self, body: bytes) -> None:
+        call, rest = protocol.unpack_id(body)
+        number, rest = protocol.unpack_id(rest)
+        caller, request = protocol.unpack_name(rest)
+        worker, handler = self._handlers.get(number, (None, None))
+        if worker is None or handler is None:
+            self._answer(call, success=False, data=b"service is gone")
+            return
+
+        def work() -> None:
+            success, data = handler(request, caller)
+            self._answer(call, success=success, data=data)
+
+        worker.add(work)
+
+    def _answer(self, call: int, *, success: bool, data: bytes) -> None:
+        self._outbox.add(Op.SERVICE_ANSWER, protocol.pack_id(call), bytes([success]), data)
+
+    def _shut_down(self, reason: str) -> None:
+        if self.shutdown_reason is None:
+            self.scheduler.start(lambda: self.on_shutdown(reason), "shutdown hooks")
+            self.request_shutdown(reason)
+
+    def request_shutdown(self, reason: str) -> None:
+        """End every wait of this node: sleeps return, calls fail."""
+        if self.shutdown_reason is None:
+            self.shutdown_reason = reason
+            for task in self.scheduler.tasks():
+                self.scheduler.make_ready(task)
+
+
+def connect(client: NodeClient) -> None:
+    """Make `client` the one of this process."""
+    global _current
+    _current = client
+
+
+@contextlib.contextmanager
+def preloading() -> Iterator[None]:
+    """Allow the import of rospy and its kin before there is a graph: what the warm parent does."""
+    global _preloading
+    _preloading = True
+    try:
+        yield
+    finally:
+        _preloading = False
+
+
+def require_node_process() -> None:
+    """Refuse the import of a ROS module outside node processes.
+
+    Raises:
+        ImportError: This is no node process.
+    """
+    if not _preloading:
+        current()
+
+
+def current() -> NodeClient:
+    """The client of this node process.
+
+    Raises:
+        ImportError: This is no node process.
+    """
+    if _current is None:
+        raise ImportError(
+            "rospy, tf and their kin work only in a node: save the script in your package and start it with "
+            "sim.rosrun('package', 'script.py')"
+        )
+    return _current
+
+
+def let_time_pass() -> None:
+    """Let a millisecond of virtual time pass, unless the caller has blocked since its last call."""
+    if _current is not None:
+        _current.let_time_pass()

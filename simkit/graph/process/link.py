@@ -1,0 +1,163 @@
+"""Graph side: the wire to one node process, with its output, its allowance of wall time, and its end."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import select
+import socket
+import time
+
+from simkit.graph.process import protocol
+from simkit.graph.process.start import StartedProcess
+
+_FRAME_LINE = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)(?: in (?P<function>.+))?$')
+
+
+class Stuck(Exception):
+    """The node neither blocked nor ended within its allowance."""
+
+
+class Flooded(Exception):
+    """The node printed more than it may."""
+
+
+class Ended(Exception):
+    """The node closed its end."""
+
+
+class NodeLink:
+    """Sends and receives frames; collects what the node prints.
+
+    Args:
+        process: The started node.
+        allowance: Wall time within which each frame must come [s].
+        output_bytes: How much the node may print.
+    """
+
+    def __init__(self, process: StartedProcess, allowance: float, output_bytes: int) -> None:
+        self._process = process
+        self._allowance = allowance
+        self._room = output_bytes
+        self._frames = protocol.FrameReader()
+        self._output_open = True
+        self._connection = process.connection
+        self._output = process.output
+        self.output = bytearray()
+
+    def send(self, frame: bytes) -> None:
+        """Send a frame; a node that does not read in time is stuck."""
+        self._connection.settimeout(self._allowance)
+        try:
+            self._connection.sendall(frame)
+        except TimeoutError as error:
+            raise Stuck from error
+        except OSError as error:
+            raise Ended from error
+
+    def receive(self) -> bytes:
+        """The node's next frame.
+
+        Raises:
+            Stuck, Flooded, Ended: There will be none.
+            ProtocolError: It is not a frame.
+        """
+        deadline = time.monotonic() + self._allowance
+        while (frame := self._frames.next_frame()) is None:
+            self._wait(deadline - time.monotonic())
+        self.drain()
+        return frame
+
+    def drain(self) -> None:
+        """Collect what the node has printed so far."""
+        while self._output_open and select.select([self._output], [], [], 0)[0]:
+            self._read_output()
+
+    def close(self) -> None:
+        """Close our ends."""
+        self._connection.close()
+        if isinstance(self._output, socket.socket):
+            self._output.close()
+        elif self._output >= 0:
+            os.close(self._output)
+            self._output = -1
+        if self._process.trace_fd is not None:
+            os.close(self._process.trace_fd)
+            self._process.trace_fd = None
+        self._output_open = False
+
+    def stack(self) -> list[tuple[str, int, str]]:
+        """Where a stuck process is: (file, line, function) of its running thread, innermost first."""
+        if self._process.trace_fd is None:
+            return []
+        self._process.ask_stack()
+        text = _read_for(self._process.trace_fd, seconds=1.0)
+        return most_telling_stack(text)
+
+    def _wait(self, timeout: float) -> None:
+        if timeout <= 0:
+            raise Stuck
+        watched: list[socket.socket | int] = [self._connection]
+        if self._output_open:
+            watched.append(self._output)
+        readable, _, _ = select.select(watched, [], [], timeout)
+        if self._output in readable:
+            self._read_output()
+        if self._connection in readable:
+            try:
+                data = self._connection.recv(262144)
+            except OSError as error:
+                raise Ended from error
+            if not data:
+                raise Ended
+            self._frames.feed(data)
+
+    def _read_output(self) -> None:
+        try:
+            if isinstance(self._output, socket.socket):
+                data = self._output.recv(65536)
+            else:
+                data = os.read(self._output, 65536)
+        except OSError:
+            data = b""
+        if not data:
+            self._output_open = False
+            return
+        self.output += data[: self._room]
+        self._room -= len(data)
+        if self._room < 0:
+            self._output_open = False
+            raise Flooded
+
+
+def most_telling_stack(text: str) -> list[tuple[str, int, str]]:
+    """Frames of the running thread in faulthandler's text, innermost first."""
+    stacks: list[tuple[bool, list[tuple[str, int, str]]]] = []
+    for line in text.splitlines():
+        if "hread 0x" in line:
+            stacks.append((line.startswith("Current"), []))
+        elif stacks and (match := _FRAME_LINE.match(line)):
+            stacks[-1][1].append((match["file"], int(match["line"]), match["function"] or ""))
+    for current, frames in stacks:
+        if current:
+            return frames
+    return stacks[0][1] if stacks else []
+
+
+def _read_for(fd: int, seconds: float) -> str:
+    deadline = time.monotonic() + seconds
+    data = b""
+    while (left := deadline - time.monotonic()) > 0:
+        # The first piece may take a while; the rest follows at once.
+        readable, _, _ = select.select([fd], [], [], min(left, 0.05) if data else left)
+        if not readable:
+            break
+        with contextlib.suppress(OSError):
+            piece = os.read(fd, 65536)
+            if not piece:
+                break
+            data += piece
+        if len(data) > 1_000_000:
+            break
+    return data.decode(errors="replace")

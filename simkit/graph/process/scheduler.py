@@ -1,0 +1,272 @@
+"""Node side: one thread of a script runs at a time, and virtual time decides which.
+
+Each thread of a node is a *task* with a gate. A task that blocks picks the next one to run: whoever is ready, in the order in
+which they became ready; if nobody is, the whole node blocks and asks the graph, which answers with a later time or with events.
+So a script with threads, timers and callbacks gives the same run every time.
+"""
+
+from __future__ import annotations
+
+import _thread
+import threading
+from collections import deque
+from collections.abc import Callable
+
+Exchange = Callable[[int | None], None]
+"""Blocks the whole node until the given virtual time [ns] (None: until an event)."""
+
+
+class Task:
+    """One thread of the node."""
+
+    __slots__ = (
+        "blocked_since_asked",
+        "done",
+        "gate",
+        "name",
+        "ready",
+        "sequence",
+        "waiters",
+        "wake_ns",
+    )
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.gate = _thread.allocate_lock()
+        self.gate.acquire()
+        self.ready = False
+        self.wake_ns: int | None = None
+        self.sequence = 0
+        self.done = False
+        self.waiters: list[Task] = []
+        self.blocked_since_asked = True  # the first time is free
+
+
+class Scheduler:
+    """Hands the right to run from task to task.
+
+    Args:
+        exchange: Blocks the node as a whole; on return the virtual time may be later, and tasks may have been made ready.
+        now_ns: Reads the virtual time [ns].
+    """
+
+    def __init__(self, exchange: Exchange, now_ns: Callable[[], int]) -> None:
+        self._exchange = exchange
+        self._now_ns = now_ns
+        self._ready: deque[Task] = deque()
+        self._sleeping: list[Task] = []
+        self._sequence = 0
+        self.main = Task("main")
+        self.current = self.main
+        self._tasks = [self.main]
+        self._idents = {_thread.get_ident()}
+
+    # -- what a running task may do
+
+    def block(self, until_ns: int | None = None) -> None:
+        """Block the calling task until it is made ready or virtual time reaches `until_ns`."""
+        task = self.current
+        task.blocked_since_asked = True
+        task.wake_ns = until_ns
+        if until_ns is not None:
+            self._sequence += 1
+            task.sequence = self._sequence
+            self._sleeping.append(task)
+        self._hand_over(task)
+        if until_ns is not None and task in self._sleeping:
+            self._sleeping.remove(task)
+        task.wake_ns = None
+
+    def make_ready(self, task: Task) -> None:
+        """Let a blocked task go on when its turn comes."""
+        if not task.ready and not task.done:
+            task.ready = True
+            self._ready.append(task)
+
+    def start(self, work: Callable[[], None], name: str) -> Task:
+        """Run `work` as a task of its own, first when the running one blocks."""
+        task = self.adopt(name)
+        _thread.start_new_thread(self.run_task, (task, work))
+        self.make_ready(task)
+        return task
+
+    def adopt(self, name: str) -> Task:
+        """A task for a thread that somebody else starts, and that runs `run_task`."""
+        task = Task(name)
+        self._tasks = [*(other for other in self._tasks if not other.done), task]
+        return task
+
+    def tasks(self) -> list[Task]:
+        """Tasks that are not done, oldest first."""
+        return [task for task in self._tasks if not task.done]
+
+    def run_task(self, task: Task, work: Callable[[], None]) -> None:
+        """The life of a task's thread: wait for the first turn, work, hand over for good."""
+        task.gate.acquire()
+        self._idents.add(_thread.get_ident())
+        try:
+            work()
+        finally:
+            self._idents.discard(_thread.get_ident())
+            task.done = True
+            for waiter in task.waiters:
+                self.make_ready(waiter)
+            self._pick().gate.release()
+
+    def join(self, task: Task, until_ns: int | None = None) -> bool:
+        """Block until a task is done or virtual time reaches `until_ns`; whether it is done."""
+        while not task.done and (until_ns is None or self._now_ns() < until_ns):
+            task.waiters.append(self.current)
+            self.block(until_ns)
+            task.waiters.remove(self.current)
+        return task.done
+
+    def is_task(self) -> bool:
+        """Whether the calling thread is one of ours (a thread made behind our back is not)."""
+        return _thread.get_ident() in self._idents
+
+    # -- handing over
+
+    def _hand_over(self, task: Task) -> None:
+        chosen = self._pick()
+        if chosen is not task:
+            chosen.gate.release()
+            task.gate.acquire()
+        self.current = task
+
+    def _pick(self) -> Task:
+        while not self._ready:
+            times = [sleeper.wake_ns for sleeper in self._sleeping if sleeper.wake_ns is not None]
+            self._exchange(min(times) if times else None)
+            self._wake_sleepers()
+        task = self._ready.popleft()
+        task.ready = False
+        self.current = task
+        return task
+
+    def _wake_sleepers(self) -> None:
+        now = self._now_ns()
+        due = [task for task in self._sleeping if task.wake_ns is not None and task.wake_ns <= now]
+        for task in sorted(due, key=lambda sleeper: (sleeper.wake_ns, sleeper.sequence)):
+            self._sleeping.remove(task)
+            self.make_ready(task)
+
+
+class VirtualLock:
+    """A lock that blocks its task, not the node: what `threading.Lock()` gives in a script."""
+
+    def __init__(self, scheduler: Scheduler) -> None:
+        self._scheduler = scheduler
+        self._held = False
+        self._queue: deque[Task] = deque()
+
+    def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
+        """As `threading.Lock.acquire`, in virtual time."""
+        if not self._held:
+            self._held = True
+            return True
+        if not blocking:
+            return False
+        scheduler = self._scheduler
+        until = (
+            None if timeout is None or timeout < 0 else scheduler._now_ns() + round(timeout * 1e9)
+        )
+        task = scheduler.current
+        self._queue.append(task)
+        while self._held and (until is None or scheduler._now_ns() < until):
+            scheduler.block(until)
+        if task in self._queue:
+            self._queue.remove(task)
+        if self._held:
+            return False
+        self._held = True
+        return True
+
+    def release(self) -> None:
+        """As `threading.Lock.release`."""
+        if not self._held:
+            raise RuntimeError("release unlocked lock")
+        self._held = False
+        if self._queue:
+            self._scheduler.make_ready(self._queue[0])
+
+    def locked(self) -> bool:
+        """As `threading.Lock.locked`."""
+        return self._held
+
+    def _at_fork_reinit(self) -> None:
+        self._held = False
+
+    def __enter__(self) -> bool:
+        return self.acquire()
+
+    def __exit__(self, *_: object) -> None:
+        self.release()
+
+
+class _RawEvent:
+    """`threading.Event` for the start of a real thread, outside virtual time."""
+
+    def __init__(self) -> None:
+        self._lock = _thread.allocate_lock()
+        self._lock.acquire()
+        self._set = False
+
+    def is_set(self) -> bool:
+        return self._set
+
+    def set(self) -> None:
+        if not self._set:
+            self._set = True
+            self._lock.release()
+
+    def wait(self, timeout: float | None = None) -> bool:
+        if not self._set and self._lock.acquire(timeout=-1 if timeout is None else timeout):
+            self._lock.release()
+        return self._set
+
+
+def virtualise_threading(scheduler: Scheduler) -> Callable[[], list[Task]]:
+    """Make `threading` and `queue` of this process block in virtual time, one thread at a time.
+
+    Returns:
+        A function that lists the tasks of non-daemon threads that still run.
+    """
+    import queue
+
+    original_init, original_start = threading.Thread.__init__, threading.Thread.start
+    tasks: dict[threading.Thread, Task] = {}
+
+    def init(self: threading.Thread, *args: object, **kwargs: object) -> None:
+        original_init(self, *args, **kwargs)  # type: ignore[arg-type]
+        self._started = _RawEvent()  # type: ignore[attr-defined]
+
+    def start(self: threading.Thread) -> None:
+        task = tasks[self] = scheduler.adopt(self.name)
+        work = self.run
+        self.run = lambda: scheduler.run_task(task, work)  # type: ignore[method-assign]
+        original_start(self)
+        scheduler.make_ready(task)
+
+    def join(self: threading.Thread, timeout: float | None = None) -> None:
+        if self not in tasks:
+            raise RuntimeError("cannot join thread before it is started")
+        scheduler.join(
+            tasks[self], None if timeout is None else scheduler._now_ns() + round(timeout * 1e9)
+        )
+
+    def is_alive(self: threading.Thread) -> bool:
+        return self in tasks and not tasks[self].done
+
+    def lock() -> VirtualLock:
+        return VirtualLock(scheduler)
+
+    threading.Thread.__init__ = init  # type: ignore[method-assign,assignment]
+    threading.Thread.start = start  # type: ignore[method-assign]
+    threading.Thread.join = join  # type: ignore[method-assign]
+    threading.Thread.is_alive = is_alive  # type: ignore[method-assign]
+    threading.Lock = threading._allocate_lock = lock  # type: ignore[assignment,misc,attr-defined]
+    threading.RLock = threading._PyRLock  # type: ignore[attr-defined,misc]
+    queue.SimpleQueue = queue._PySimpleQueue  # type: ignore[attr-defined,misc]
+
+    return lambda: [task for thread, task in tasks.items() if not thread.daemon and not task.done]

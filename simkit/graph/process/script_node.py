@@ -1,0 +1,252 @@
+"""Graph side: a script that runs as a node in a process of its own.
+
+The node is resumed by events (its wake-up time, a message, an answer), acts within one instant, and blocks again. What it asks
+for is done by `requests`; what became of it is told by `failure`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from simkit.graph.executor import ScheduledEvent
+from simkit.graph.graph import Graph
+from simkit.graph.log import LogLevel
+from simkit.graph.names import CommandLine, join
+from simkit.graph.process import failure as failures
+from simkit.graph.process import protocol
+from simkit.graph.process.failure import NodeFailure
+from simkit.graph.process.link import Ended, Flooded, NodeLink, Stuck
+from simkit.graph.process.permissions import Permissions
+from simkit.graph.process.protocol import NEVER, Op, Outbox, ProtocolError
+from simkit.graph.process.requests import Requests
+from simkit.graph.process.runtime import NodeRuntime
+from simkit.graph.process.spec import StartSpec
+from simkit.graph.process.start import StartedProcess, StartError
+from simkit.graph.services import ServiceServer
+from simkit.graph.topics import Publisher, Subscription
+
+MILLISECOND = 1_000_000
+RESUMES_PER_INSTANT = 1000
+"""After so many turns at one instant a node waits a millisecond: two nodes that answer each other must not stop the clock."""
+MAX_FAULTS = 20
+"""So many different faults of callbacks are kept."""
+SHUTDOWN_GRACE_NS = 2_000_000_000
+"""How long a node may live on after a shutdown request [ns of virtual time]."""
+
+
+class ScriptNode:
+    """One script process on the graph.
+
+    Args:
+        graph: The graph it joins.
+        runtime: Starts its process.
+        spec: The script.
+        command_line: What its arguments say.
+        permissions: What it may write.
+    """
+
+    def __init__(
+        self,
+        graph: Graph,
+        runtime: NodeRuntime,
+        spec: StartSpec,
+        command_line: CommandLine,
+        permissions: Permissions,
+    ) -> None:
+        self.graph = graph
+        self.name = join(command_line.namespace, command_line.node_name or _node_name(spec))
+        self.command_line = command_line
+        self.permissions = permissions
+        self.publishers: list[Publisher] = []
+        self.subscriptions: list[Subscription] = []
+        self.servers: list[ServiceServer] = []
+        self.refusals: list[str] = []
+        self.alive = True
+        self.exit_code: int | None = None
+        self.end_failure: NodeFailure | None = None
+        self.faults: list[NodeFailure] = []
+        self.outbox = Outbox()
+        self._runtime = runtime
+        self._spec = spec
+        self._process: StartedProcess | None = None
+        self._link: NodeLink | None = None
+        self._output = b""
+        self._shown = 0
+        self._requests = Requests(self)
+        self._wake: ScheduledEvent | None = None
+        self._resume_event: ScheduledEvent | None = None
+        self._instant_ns = -1
+        self._resumes = 0
+        self._start_event = graph.executor.call_soon(self._start)
+
+    # -- what others ask and tell
+
+    @property
+    def output(self) -> str:
+        """What the node has printed so far, standard output and error in one."""
+        data = self._output if self._link is None else bytes(self._link.output)
+        return data.decode("utf-8", "replace")
+
+    @property
+    def failure(self) -> NodeFailure | None:
+        """Why it ended, or else the first fault of a callback; None while all is well."""
+        return self.end_failure or (self.faults[0] if self.faults else None)
+
+    def add_fault(self, value: object) -> None:
+        """Note a fault that the node survived."""
+        fault = failures.from_exit_record(value)
+        if fault is not None and fault not in self.faults and len(self.faults) < MAX_FAULTS:
+            self.faults.append(fault)
+
+    def shutdown(self, reason: str = "shutdown request") -> None:
+        """Ask the node to end; it has a moment of virtual time for its last words."""
+        if not self.alive:
+            return
+        self.graph.remove_node(self)
+        if self._process is None:
+            self._end(kill=True)
+            return
+        self.outbox.add(Op.SHUTDOWN, reason.encode())
+        self.resume_soon()
+        self.graph.executor.call_at(
+            self.graph.executor.now_ns + SHUTDOWN_GRACE_NS, lambda: self._end(kill=True)
+        )
+
+    def close(self) -> None:
+        """End the process now, virtual time standing still: the simulation is over."""
+        if self.alive and self._process is not None:
+            self.outbox.add(Op.SHUTDOWN, b"the simulation is closed")
+            self._resume()
+        self._end(kill=True)
+
+    def resume_soon(self) -> None:
+        """Give the node a turn at this instant, with what waits in its outbox."""
+        if not self.alive or self._process is None or self._resume_event is not None:
+            return
+        now = self.graph.executor.now_ns
+        late = (
+            MILLISECOND if self._instant_ns == now and self._resumes >= RESUMES_PER_INSTANT else 0
+        )
+        self._resume_event = self.graph.executor.call_at(now + late, self._resume)
+
+    # -- its life
+
+    def _start(self) -> None:
+        if not self.alive:
+            return
+        spec = replace(self._spec, now_ns=self.graph.executor.now_ns)
+        try:
+            self._process = self._runtime.start(spec)
+        except StartError as error:
+            self._fail(NodeFailure(kind="start", text=str(error)))
+            return
+        self._link = NodeLink(self._process, self._runtime.allowance, self._runtime.limits.output_bytes)
+        self._turn(send=False)
+
+    def _resume(self) -> None:
+        for event in (self._wake, self._resume_event):
+            if event is not None:
+                event.cancel()
+        self._wake = self._resume_event = None
+        if not self.alive:
+            return
+        now = self.graph.executor.now_ns
+        self._resumes = self._resumes + 1 if now == self._instant_ns else 1
+        self._instant_ns = now
+        self._turn(send=True)
+
+    def _turn(self, *, send: bool) -> None:
+        try:
+            self._converse(send=send)
+        except Stuck:
+            assert self._link is not None
+            self._fail(failures.stuck(self._link.stack(), self._runtime.allowance))
+        except Flooded:
+            self._fail(failures.flooded(self._runtime.limits.output_bytes))
+        except ProtocolError as error:
+            self._fail(failures.unreadable(str(error)))
+        except Ended:
+            self._end(kill=True)
+            if self.end_failure is None:
+                self.end_failure = failures.abrupt_end(self.exit_code)
+                self._report_death()
+
+    def _converse(self, *, send: bool) -> None:
+        """Let the node act until it blocks or ends."""
+        assert self._link is not None
+        while True:
+            if send:
+                self.outbox.add(Op.RESUME, protocol.pack_time(self.graph.executor.now_ns))
+                self._link.send(self.outbox.take())
+            frame = self._link.receive()
+            self._show_output()
+            last, body = self._requests.perform(frame)
+            if last is Op.ASK:
+                send = True
+                continue
+            if last is Op.EXIT:
+                self._leave(protocol.unpack_json(body))
+            else:
+                self._sleep_until(protocol.unpack_time(body))
+            return
+
+    def _show_output(self) -> None:
+        text = self.output
+        if self.graph.screen is not None and len(text) > self._shown:
+            self.graph.screen.output(self.name, text[self._shown :])
+        self._shown = len(text)
+
+    def _sleep_until(self, wake_ns: int) -> None:
+        if wake_ns != NEVER:
+            self._wake = self.graph.executor.call_at(wake_ns, self._resume)
+
+    def _leave(self, last_words: object) -> None:
+        self._end(kill=False)
+        reported = last_words.get("failure") if isinstance(last_words, dict) else None
+        self.end_failure = failures.from_exit_record(reported)
+        if self.end_failure is not None:
+            self._report_death()
+
+    def _fail(self, failure: NodeFailure) -> None:
+        self.end_failure = failure
+        self._end(kill=True)
+        self._report_death()
+
+    def _end(self, *, kill: bool) -> None:
+        if not self.alive:
+            return
+        self.alive = False
+        self._start_event.cancel()
+        if self._link is not None and self._process is not None:
+            self.exit_code = self._process.end(kill=kill)
+            self._collect_last_output()
+        for endpoint in [*self.publishers, *self.subscriptions]:
+            endpoint.unregister()
+        for server in list(self.servers):
+            server.shutdown()
+        self.graph.remove_node(self)
+
+    def _collect_last_output(self) -> None:
+        assert self._link is not None
+        try:
+            self._link.drain()
+        except Flooded:
+            self.end_failure = self.end_failure or failures.flooded(self._runtime.limits.output_bytes)
+        self._output = bytes(self._link.output)
+        self._link.close()
+        self._link = None
+        self._show_output()
+
+    def _report_death(self) -> None:
+        self.graph.log(
+            self.name,
+            LogLevel.ERROR,
+            f"process has died [exit code {self.exit_code}]: {self.failure}",
+        )
+
+
+def _node_name(spec: StartSpec) -> str:
+    """Name of a script's node until it says its own."""
+    stem = Path(spec.script).stem
+    return "".join(c if c.isascii() and (c.isalnum() or c == "_") else "_" for c in stem) or "node"

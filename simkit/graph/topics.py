@@ -1,0 +1,185 @@
+"""Topics: publishers, subscriptions, latching, queues.
+
+A message is serialised once, when it is published: types are checked where the fault is, and what is delivered, recorded and
+compared are the same bytes.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+
+from simkit.graph.errors import GraphError
+from simkit.graph.executor import Executor
+from simkit.msgs import Message
+
+Sink = Callable[[bytes, str], None]
+"""Takes the wire bytes of a message and the name of the node that published it."""
+
+
+class Topic:
+    """One topic: its type, who is on it, and what was said last."""
+
+    def __init__(self, name: str, message_class: type[Message], executor: Executor) -> None:
+        self.name = name
+        self.message_class = message_class
+        self.executor = executor
+        self.publishers: list[Publisher] = []
+        self.subscriptions: list[Subscription] = []
+        self.last: bytes | None = None
+
+    def deliver(self, data: bytes, caller: str) -> None:
+        """Hand wire bytes to every subscription, as events of this instant."""
+        self.last = data
+        for subscription in list(self.subscriptions):
+            subscription.push(data, caller)
+
+    @property
+    def in_use(self) -> bool:
+        """Whether any node publishes or subscribes."""
+        return bool(self.publishers or self.subscriptions)
+
+
+class Publisher:
+    """A node's right to speak on a topic.
+
+    A latching publisher gives its last message to each later subscriber, as in rospy.
+    """
+
+    def __init__(
+        self, topic: Topic, node_name: str, *, latch: bool, connected: bool = True
+    ) -> None:
+        self._topic = topic
+        self._connected = connected
+        self._sequence = 0
+        self._latched: bytes | None = None
+        self.node_name = node_name
+        self.latch = latch
+        self.closed = False
+        if connected:
+            topic.publishers.append(self)
+
+    @property
+    def topic(self) -> str:
+        """Resolved name of the topic."""
+        return self._topic.name
+
+    @property
+    def message_class(self) -> type[Message]:
+        """Class of the messages."""
+        return self._topic.message_class
+
+    @property
+    def num_connections(self) -> int:
+        """How many subscriptions hear this publisher."""
+        return len(self._topic.subscriptions) if self._connected else 0
+
+    def publish(self, message: Message) -> None:
+        """Send a message; `header.seq` is counted here, as rospy does.
+
+        Raises:
+            GraphError: The publisher has ended, or the message is of another class.
+            SerializationError: A field has a value of the wrong type; the message names the field.
+        """
+        if not isinstance(message, self._topic.message_class):
+            raise GraphError(
+                f"topic {self.topic} carries {self._topic.message_class._type}, "
+                f"not {type(message).__name__}"
+            )
+        if message._has_header:
+            self._sequence += 1
+            message.header.seq = self._sequence  # type: ignore[attr-defined]
+        self.publish_bytes(message.to_bytes())
+
+    def publish_bytes(self, data: bytes) -> None:
+        """Send a message that is in wire format already."""
+        if self.closed:
+            raise GraphError(f"publish() to a closed topic {self.topic}")
+        if self.latch:
+            self._latched = data
+        if self._connected:
+            self._topic.deliver(data, self.node_name)
+
+    def greet(self, subscription: Subscription) -> None:
+        """Give a new subscription the latched message."""
+        if self._latched is not None:
+            subscription.push(self._latched, self.node_name)
+
+    def unregister(self) -> None:
+        """Leave the topic."""
+        self.closed = True
+        if self in self._topic.publishers:
+            self._topic.publishers.remove(self)
+
+
+class Subscription:
+    """A node's ear on a topic: a queue in front of a sink.
+
+    Args:
+        topic: The topic.
+        node_name: Resolved name of the subscribing node.
+        sink: Takes each message's bytes and the publisher's node name.
+        queue_size: At most so many wait; the oldest is dropped. None: no bound.
+        connected: False for a subscription whose type is not the topic's; it hears nothing.
+    """
+
+    def __init__(
+        self,
+        topic: Topic,
+        node_name: str,
+        sink: Sink,
+        *,
+        queue_size: int | None = None,
+        connected: bool = True,
+    ) -> None:
+        self._topic = topic
+        self._sink = sink
+        self._waiting: deque[tuple[bytes, str]] = deque(maxlen=queue_size or None)
+        self.node_name = node_name
+        if connected:
+            topic.subscriptions.append(self)
+            for publisher in topic.publishers:
+                publisher.greet(self)
+
+    @property
+    def topic(self) -> str:
+        """Resolved name of the topic."""
+        return self._topic.name
+
+    @property
+    def num_connections(self) -> int:
+        """How many publishers it hears."""
+        return len(self._topic.publishers)
+
+    def push(self, data: bytes, caller: str) -> None:
+        """Queue a message for delivery at this instant."""
+        self._waiting.append((data, caller))
+        self._topic.executor.call_soon(self._deliver_one)
+
+    def unregister(self) -> None:
+        """Leave the topic; what waits is dropped."""
+        self._waiting.clear()
+        if self in self._topic.subscriptions:
+            self._topic.subscriptions.remove(self)
+
+    def _deliver_one(self) -> None:
+        # A full queue dropped its oldest message, but not that message's event: then there is nothing to do.
+        if self._waiting:
+            self._sink(*self._waiting.popleft())
+
+
+def decoding_sink(
+    message_class: type[Message], callback: Callable[[Message], None], topic: str
+) -> Sink:
+    """A sink that gives `callback` its own copy of each message, with rospy's `_connection_header`."""
+
+    def sink(data: bytes, caller: str) -> None:
+        message = message_class.from_bytes(data)
+        message._connection_header = {
+            "callerid": caller,
+            "topic": topic,
+            "type": message_class._type,
+        }
+        callback(message)
+
+    return sink

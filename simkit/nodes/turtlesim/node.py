@@ -1,0 +1,130 @@
+"""turtlesim_node: the window of turtles as a node, with its services, parameters and timer.
+
+Source: turtlesim `TurtleFrame`: texts of the log, order of events, and what each service does.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from simkit.errors import SimkitError, UnknownNameError
+from simkit.graph import Node, ServiceFailed
+from simkit.msgs import Duration, Message, service_class
+from simkit.nodes.turtlesim.endpoints import TurtleEndpoints
+from simkit.nodes.turtlesim.frame import Frame, TurtleExistsError
+from simkit.nodes.turtlesim.picture import Picture
+from simkit.nodes.turtlesim.turtle import Turtle
+from simkit.nodes.turtlesim.window import BACKGROUND, CENTRE, TICK_NS, Rgb
+
+PARAMETERS = ("~background_r", "~background_g", "~background_b")
+
+
+class TurtlesimNode:
+    """The node `turtlesim_node` of the package turtlesim.
+
+    Services: `spawn`, `kill`, `clear`, `reset`; `frame` holds the turtles and their trails.
+
+    Args:
+        node: Its place in the graph.
+        _argv: Arguments of its command line; it takes none.
+    """
+
+    def __init__(self, node: Node, _argv: list[str]) -> None:
+        self._node = node
+        self._endpoints: dict[str, TurtleEndpoints] = {}
+        self._is_ticking = False
+        for name, default in zip(PARAMETERS, BACKGROUND, strict=True):
+            if not node.has_param(name):
+                node.set_param(name, default)
+        self.frame = Frame(self._background())
+        self._empty: Any = service_class("std_srvs/Empty")._response_class
+        self._spawned: Any = service_class("turtlesim/Spawn")._response_class
+        self._killed: Any = service_class("turtlesim/Kill")._response_class
+        node.advertise_service("clear", service_class("std_srvs/Empty"), self._clear)
+        node.advertise_service("reset", service_class("std_srvs/Empty"), self._reset)
+        node.advertise_service("spawn", service_class("turtlesim/Spawn"), self._spawn)
+        node.advertise_service("kill", service_class("turtlesim/Kill"), self._kill)
+        node.info(f"Starting turtlesim with node name {node.name}")
+        self._welcome(self.frame.spawn(), x=CENTRE, y=CENTRE, theta=0.0)
+        node.create_timer(Duration.from_nsec(TICK_NS), self._tick)
+
+    def picture(self, *, names: bool = False) -> Picture:
+        """What the window shows now.
+
+        Args:
+            names: Write each turtle's name below it.
+        """
+        return Picture(self.frame, names=names)
+
+    def _tick(self) -> None:
+        # turtlesim's first update only notes the time.
+        if not self._is_ticking:
+            self._is_ticking = True
+            return
+        for turtle, reading in self.frame.update(self._node.now().to_nsec()):
+            self._endpoints[turtle.name].publish(reading)
+
+    def _spawn(self, request: Any) -> Message:
+        # A failed call says nothing to its caller, as in turtlesim; the reason is in the log.
+        try:
+            self._node.resolve(request.name)
+            turtle = self.frame.spawn(request.name, x=request.x, y=request.y, theta=request.theta)
+        except TurtleExistsError as error:
+            self._node.error(f"A turtled named [{request.name}] already exists")
+            raise ServiceFailed("") from error
+        except SimkitError as error:
+            self._node.error(f"Exception thrown while processing service call: {error}")
+            raise ServiceFailed(str(error)) from error
+        self._welcome(turtle, x=request.x, y=request.y, theta=request.theta)
+        response: Message = self._spawned(name=turtle.name)
+        return response
+
+    def _kill(self, request: Any) -> Message:
+        try:
+            self.frame.kill(request.name)
+        except UnknownNameError as error:
+            self._node.error(f"Tried to kill turtle [{request.name}], which does not exist")
+            raise ServiceFailed("") from error
+        self._endpoints.pop(request.name).close()
+        response: Message = self._killed()
+        return response
+
+    def _clear(self, _request: Any) -> Message:
+        self._node.info("Clearing turtlesim.")
+        self.frame.paper.clear(self._background())
+        response: Message = self._empty()
+        return response
+
+    def _reset(self, _request: Any) -> Message:
+        self._node.info("Resetting turtlesim.")
+        for endpoints in self._endpoints.values():
+            endpoints.close()
+        self._endpoints.clear()
+        turtle = self.frame.reset(self._background())
+        self._welcome(turtle, x=CENTRE, y=CENTRE, theta=0.0)
+        response: Message = self._empty()
+        return response
+
+    def _welcome(self, turtle: Turtle, *, x: float, y: float, theta: float) -> None:
+        self._endpoints[turtle.name] = TurtleEndpoints(self._node, turtle)
+        self._node.info(
+            f"Spawning turtle [{turtle.name}] at x=[{x:f}], y=[{y:f}], theta=[{theta:f}]"
+        )
+
+    def _background(self) -> Rgb:
+        red, green, blue = (
+            _color_part(self._node.get_param(name, default), default)
+            for name, default in zip(PARAMETERS, BACKGROUND, strict=True)
+        )
+        return (red, green, blue)
+
+
+def _color_part(value: object, default: int) -> int:
+    """What roscpp and Qt make of a parameter: rounded, its lowest eight bits.
+
+    Anything that is no number counts as the default.
+    """
+    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+        return default
+    return math.floor(value + 0.5) & 0xFF

@@ -1,0 +1,32 @@
+"""The window of turtlesim: its size, its scale, its pace and its first colour.
+
+Source: turtlesim `TurtleFrame` (500 px window, turtle images of 45 px, Qt timer of 16 ms).
+"""
+
+from __future__ import annotations
+
+from simkit.nodes.turtlesim.float32 import float32
+
+Rgb = tuple[int, int, int]
+"""Red, green and blue, each 0 to 255."""
+Point = tuple[float, float]
+"""Two coordinates; the name beside it says in which unit and which way up."""
+
+SIDE_PX = 500
+"""Width and height of the window [px]."""
+METRE_PX = 45
+"""Pixels per metre."""
+SIDE = float32((SIDE_PX - 1) / METRE_PX)
+"""Width and height of the turtles' world [m], 11.088889."""
+CENTRE = float32(SIDE / 2)
+"""Where turtle1 starts, in x and in y [m], 5.544445."""
+
+TICK_NS = 16_000_000
+"""Time from one update of all turtles to the next [ns]."""
+TICK = 0.016
+"""What every update takes as its length [s], however late it comes."""
+COMMAND_LIFETIME_NS = 1_000_000_000
+"""A velocity command moves the turtle for so long [ns]."""
+
+BACKGROUND: Rgb = (69, 86, 255)
+"""Colour of the window until `~background_r`, `_g` and `_b` say otherwise."""

@@ -1,0 +1,113 @@
+"""ROS packages on disk: where they are, and which file a command line means.
+
+Source: rospack (a folder with a `package.xml` is a package, named by its folder here) and rosrun (an executable is found by its
+file name anywhere in the package).
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from simkit.errors import SimkitError, UnknownNameError, near_names
+
+MAX_DEPTH = 5
+"""How deep below a folder of the path a package may lie."""
+PATH_VARIABLE = "SIMKIT_PACKAGE_PATH"
+_SKIPPED = {".git", ".venv", "node_modules", "__pycache__", ".ipynb_checkpoints"}
+
+
+class PackageError(SimkitError):
+    """A package is there, but not what was asked of it."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Package:
+    """One ROS package."""
+
+    name: str
+    """Its name: that of its folder."""
+    folder: Path
+    """Where it is."""
+
+    def find_executable(self, name: str) -> Path:
+        """The file that `rosrun package name` means.
+
+        Raises:
+            UnknownNameError: No file of that name; lists what could be run.
+            PackageError: Several files of that name.
+        """
+        files = sorted(_files(self.folder))
+        found = [file for file in files if file.name == name]
+        if len(found) == 1:
+            return found[0]
+        if found:
+            listed = ", ".join(str(file.relative_to(self.folder)) for file in found)
+            raise PackageError(f"package {self.name} has several files named {name}: {listed}")
+        scripts = [file.name for file in files if file.suffix == ".py" or os.access(file, os.X_OK)]
+        raise UnknownNameError(f"executable in package {self.name!r}", name, scripts)
+
+
+class PackagePath:
+    """Folders in which packages are looked for, the first hit wins.
+
+    Args:
+        folders: Searched first, in order; the working folder if None. Those of SIMKIT_PACKAGE_PATH follow.
+    """
+
+    def __init__(self, folders: Sequence[str | Path] | None = None) -> None:
+        more = [part for part in os.environ.get(PATH_VARIABLE, "").split(os.pathsep) if part]
+        given = list(folders) if folders is not None else [Path.cwd()]
+        self.folders = [Path(folder).absolute() for folder in [*given, *more]]
+
+    def packages(self) -> dict[str, Package]:
+        """Every package on the path, by name."""
+        found: dict[str, Package] = {}
+        for folder in self.folders:
+            for manifest in _manifests(folder, MAX_DEPTH):
+                found.setdefault(
+                    manifest.parent.name, Package(name=manifest.parent.name, folder=manifest.parent)
+                )
+        return found
+
+    def find(self, name: str) -> Package:
+        """A package by name.
+
+        Raises:
+            UnknownNameError: None of that name; lists those on the path.
+            PackageError: A folder of that name is there, but without a `package.xml`.
+        """
+        packages = self.packages()
+        if name in packages:
+            return packages[name]
+        for folder in self.folders:
+            if (folder / name).is_dir() and not near_names(name, packages):
+                raise PackageError(
+                    f"{name} is a folder but no package: it has no package.xml "
+                    f"(add one beside its scripts: {name}/package.xml)"
+                )
+        raise UnknownNameError("package", name, packages)
+
+
+def _manifests(folder: Path, depth: int) -> Iterator[Path]:
+    manifest = folder / "package.xml"
+    if manifest.is_file():
+        yield manifest
+        return
+    if depth == 0 or not folder.is_dir():
+        return
+    for child in sorted(folder.iterdir()):
+        if child.is_dir() and not child.is_symlink() and child.name not in _SKIPPED:
+            yield from _manifests(child, depth - 1)
+
+
+def _files(folder: Path) -> Iterator[Path]:
+    for child in sorted(folder.iterdir()):
+        if child.name in _SKIPPED or child.is_symlink():
+            continue
+        if child.is_dir():
+            yield from _files(child)
+        elif child.is_file():
+            yield child

@@ -1,0 +1,300 @@
+"""Lookups in the form of tf: lists of numbers, and names that may start with a slash."""
+
+# ruff: noqa: N802 - the names are tf's
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from simkit.msgs import Duration, Time
+from simkit.tf.admission import without_slash
+from simkit.tf.buffer import Buffer
+from simkit.tf.errors import TransformException
+from simkit.tf.frame_report import frame_reports
+from simkit.tf.transform import Vector
+
+from .patience import noticing, time_passes_on_failure, wait_until
+from .twist import twist_between
+
+if TYPE_CHECKING:
+    from simkit.ros1 import rospy
+else:
+    import rospy
+
+
+class Transformer:
+    """A buffer of transforms under tf's names.
+
+    Each failed question lets a millisecond pass, so that a loop of `except: continue` ends.
+
+    Args:
+        interpolate: Taken for tf's sake; transforms are always interpolated.
+        cache_time: How long a moving frame is remembered; 10 s if None.
+    """
+
+    def __init__(self, interpolate: bool = True, cache_time: Duration | None = None) -> None:
+        self._buffer = Buffer(cache_time, on_warning=rospy.logwarn)
+        self._using_dedicated_thread = False
+
+    def lookupTransform(
+        self, target_frame: str, source_frame: str, time: Time
+    ) -> tuple[list[float], list[float]]:
+        """Pose of `source_frame` seen from `target_frame`.
+
+        Args:
+            target_frame: Frame of the observer.
+            source_frame: Frame that is observed.
+            time: When; `rospy.Time(0)` for the latest.
+
+        Returns:
+            Translation [x, y, z] [m], and rotation [x, y, z, w].
+
+        Raises:
+            LookupException: A name is unknown.
+            ConnectivityException: The frames lie in two trees.
+            ExtrapolationException: `time` lies outside the stored data.
+        """
+        with time_passes_on_failure():
+            found = self._buffer.lookup_transform(
+                without_slash(target_frame), without_slash(source_frame), time
+            )
+        return _as_lists(found)
+
+    def lookupTransformFull(
+        self,
+        target_frame: str,
+        target_time: Time,
+        source_frame: str,
+        source_time: Time,
+        fixed_frame: str,
+    ) -> tuple[list[float], list[float]]:
+        """Where `source_frame` was at `source_time`, seen from `target_frame` at `target_time`.
+
+        `fixed_frame` is a frame that did not move in between, mostly the world.
+
+        Returns:
+            Translation [x, y, z] [m], and rotation [x, y, z, w].
+
+        Raises:
+            TransformException: As `lookupTransform`.
+        """
+        with time_passes_on_failure():
+            found = self._buffer.lookup_transform_full(
+                without_slash(target_frame),
+                target_time,
+                without_slash(source_frame),
+                source_time,
+                without_slash(fixed_frame),
+            )
+        return _as_lists(found)
+
+    def canTransform(self, target_frame: str, source_frame: str, time: Time) -> bool:
+        """Whether `lookupTransform` would answer."""
+        return noticing(self._reason(target_frame, source_frame, time)[0])
+
+    def canTransformFull(
+        self,
+        target_frame: str,
+        target_time: Time,
+        source_frame: str,
+        source_time: Time,
+        fixed_frame: str,
+    ) -> bool:
+        """Whether `lookupTransformFull` would answer."""
+        return noticing(
+            self._reason_full(target_frame, target_time, source_frame, source_time, fixed_frame)[0]
+        )
+
+    def waitForTransform(
+        self,
+        target_frame: str,
+        source_frame: str,
+        time: Time,
+        timeout: Duration,
+        polling_sleep_duration: Duration | None = None,
+    ) -> None:
+        """Block until `lookupTransform` would answer.
+
+        Args:
+            target_frame: Frame of the observer.
+            source_frame: Frame that is observed.
+            time: When.
+            timeout: How long to wait at most.
+            polling_sleep_duration: Taken for tf's sake.
+
+        Raises:
+            TransformException: It did not come in time; the text says what was missing.
+        """
+        self._require_listener()
+        wait_until(
+            lambda: self._reason(target_frame, source_frame, time),
+            timeout,
+            frames=(target_frame, source_frame),
+        )
+
+    def waitForTransformFull(
+        self,
+        target_frame: str,
+        target_time: Time,
+        source_frame: str,
+        source_time: Time,
+        fixed_frame: str,
+        timeout: Duration,
+        polling_sleep_duration: Duration | None = None,
+    ) -> None:
+        """Block until `lookupTransformFull` would answer.
+
+        Raises:
+            TransformException: It did not come in time; the text says what was missing.
+        """
+        self._require_listener()
+        wait_until(
+            lambda: self._reason_full(
+                target_frame, target_time, source_frame, source_time, fixed_frame
+            ),
+            timeout,
+            frames=(target_frame, source_frame),
+        )
+
+    def getLatestCommonTime(self, source_frame: str, dest_frame: str) -> Time:
+        """Newest time at which a lookup between two frames would answer.
+
+        Raises:
+            TransformException: A name is unknown, or no way joins the frames.
+        """
+        with time_passes_on_failure():
+            common = self._buffer.get_latest_common_time(
+                without_slash(source_frame), without_slash(dest_frame)
+            )
+        return rospy.Time(common.secs, common.nsecs)
+
+    def chain(
+        self,
+        target_frame: str,
+        target_time: Time,
+        source_frame: str,
+        source_time: Time,
+        fixed_frame: str,
+    ) -> list[str]:
+        """Frames on the way from source over fixed to target; no slash is dropped here."""
+        with time_passes_on_failure():
+            return self._buffer._chain(
+                target_frame, target_time, source_frame, source_time, fixed_frame
+            )
+
+    def frameExists(self, frame_id: str) -> bool:
+        """Whether a frame has a parent and data: a root does not exist for tf."""
+        return noticing(frame_id in self.getFrameStrings())
+
+    def getFrameStrings(self) -> list[str]:
+        """Frames that have a parent and data."""
+        return [report.name for report in frame_reports(self._buffer.core.frames)]
+
+    def allFramesAsString(self) -> str:
+        """One line per frame that ever had a parent."""
+        return self._buffer.all_frames_as_string()
+
+    def allFramesAsDot(self, current_time: Time | None = None) -> str:
+        """The tree in graphviz' language."""
+        return self._buffer._allFramesAsDot(current_time or Time(0))
+
+    def setTransform(self, transform: Any, authority: str = "default_authority") -> None:
+        """Store a geometry_msgs/TransformStamped."""
+        self._buffer.set_transform(transform, authority)
+
+    def setTransformStatic(self, transform: Any, authority: str = "default_authority") -> None:
+        """Store a geometry_msgs/TransformStamped that holds at every time."""
+        self._buffer.set_transform_static(transform, authority)
+
+    def lookupTwist(
+        self,
+        tracking_frame: str,
+        observation_frame: str,
+        time: Time,
+        averaging_interval: Duration,
+    ) -> tuple[Vector, Vector]:
+        """Velocity of the origin of `tracking_frame`; as `lookupTwistFull`."""
+        return self.lookupTwistFull(
+            tracking_frame,
+            observation_frame,
+            observation_frame,
+            (0, 0, 0),
+            tracking_frame,
+            time,
+            averaging_interval,
+        )
+
+    def lookupTwistFull(
+        self,
+        tracking_frame: str,
+        observation_frame: str,
+        reference_frame: str,
+        ref_point: Vector,
+        reference_point_frame: str,
+        time: Time,
+        averaging_interval: Duration,
+    ) -> tuple[Vector, Vector]:
+        """Velocity of a point that moves with `tracking_frame`, seen from `observation_frame`.
+
+        Args:
+            tracking_frame: Frame that moves.
+            observation_frame: Frame of the observer.
+            reference_frame: Frame in whose axes the result is told.
+            ref_point: The point (3,) [m].
+            reference_point_frame: Frame in which the point is given.
+            time: Middle of the interval; `rospy.Time(0)` for the latest.
+            averaging_interval: Span over which positions are compared.
+
+        Returns:
+            Linear [m/s] and angular [rad/s] velocity.
+
+        Raises:
+            TransformException: As `lookupTransform`.
+        """
+        names = (tracking_frame, observation_frame, reference_frame, reference_point_frame)
+        with time_passes_on_failure():
+            return twist_between(
+                self._buffer.core,
+                *map(without_slash, names),
+                point=ref_point,
+                time=time.to_nsec(),
+                interval=averaging_interval.to_nsec(),
+            )
+
+    def clear(self) -> None:
+        """Forget the transforms of moving frames."""
+        self._buffer.clear()
+
+    def setUsingDedicatedThread(self, value: bool) -> None:
+        """Whether transforms arrive while `waitForTransform` waits."""
+        self._using_dedicated_thread = value
+
+    def getTFPrefix(self) -> str:
+        """Empty: tf2 knows no prefixes."""
+        return ""
+
+    def _require_listener(self) -> None:
+        if not self._using_dedicated_thread:
+            raise TransformException(
+                "cannot wait for transform without a dedicated thread that listens to incoming "
+                "TF messages"
+            )
+
+    def _reason(self, target: str, source: str, time: Time) -> tuple[bool, str]:
+        return self._buffer.can_transform_core(without_slash(target), without_slash(source), time)
+
+    def _reason_full(
+        self, target: str, target_time: Time, source: str, source_time: Time, fixed: str
+    ) -> tuple[bool, str]:
+        return self._buffer.can_transform_full_core(
+            without_slash(target),
+            target_time,
+            without_slash(source),
+            source_time,
+            without_slash(fixed),
+        )
+
+
+def _as_lists(transform: Any) -> tuple[list[float], list[float]]:
+    p, q = transform.transform.translation, transform.transform.rotation
+    return [p.x, p.y, p.z], [q.x, q.y, q.z, q.w]

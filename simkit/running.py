@@ -1,0 +1,45 @@
+"""The handle of a built-in node that runs: the same questions as a script's."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from simkit.graph import Graph
+from simkit.graph.names import CommandLine, join
+from simkit.graph.process import NodeFailure
+from simkit.nodes import BuiltinNode
+
+
+class RunningBuiltin:
+    """A built-in node on the graph.
+
+    Args:
+        graph: The graph it joins.
+        definition: Which node.
+        command_line: What its arguments say.
+    """
+
+    def __init__(self, graph: Graph, definition: BuiltinNode, command_line: CommandLine) -> None:
+        name = join(command_line.namespace, command_line.node_name or definition.node_name)
+        self._node = graph.create_node(name, command_line.resolved_remappings(name))
+        for key, value in command_line.private_parameters.items():
+            self._node.set_param("~" + key, value)
+        self.program: Any = definition(self._node, list(command_line.arguments))
+        self.exit_code: int | None = None
+        self.failure: NodeFailure | None = None
+        self.refusals: list[str] = []
+        self.output = ""
+
+    @property
+    def name(self) -> str:
+        """Resolved name."""
+        return self._node.name
+
+    @property
+    def alive(self) -> bool:
+        """Whether it is still on the graph."""
+        return self._node.alive
+
+    def shutdown(self) -> None:
+        """Leave the graph."""
+        self._node.shutdown()

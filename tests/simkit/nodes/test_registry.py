@@ -1,0 +1,38 @@
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+from simkit.nodes import builtin_nodes
+from simkit.nodes.turtlesim import DrawSquare, Mimic, TurtlesimNode, TurtleTeleop
+
+CLASSES = {
+    "turtlesim_node": ("/turtlesim", TurtlesimNode),
+    "turtle_teleop_key": ("/teleop_turtle", TurtleTeleop),
+    "draw_square": ("/draw_square", DrawSquare),
+    "mimic": ("/turtle_mimic", Mimic),
+}
+
+
+@pytest.mark.parametrize("executable", CLASSES)
+def test_each_entry_starts_its_class_under_the_name_of_ros(bench, executable: str) -> None:
+    name, node_class = CLASSES[executable]
+    assert isinstance(bench.start(executable), node_class)
+    assert name in bench.graph.nodes
+
+
+def test_keys_are_the_names_of_their_entries() -> None:
+    assert all(
+        key == (builtin.package, builtin.executable) for key, builtin in builtin_nodes().items()
+    )
+
+
+def test_the_registry_imports_no_node_and_no_node_imports_matplotlib() -> None:
+    program = (
+        "import sys; from simkit.nodes import builtin_nodes; builtin_nodes();"
+        "assert 'simkit.nodes.turtlesim' not in sys.modules;"
+        "import simkit.nodes.turtlesim; assert 'matplotlib' not in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", program], check=True)
