@@ -534,6 +534,7 @@ def test_rotations_that_are_not_quite_unit_scale_in_a_chain_but_not_over_a_fixed
     assert tree.lookup("a", "b").rotation == (0, 0, 0, 0.995)
     found = tree.full("a", 1.0, "b", 1.0, "a")
     assert found.rotation == (0, 0, 0, 1)
+    assert tree.full("a", 1.0, "c", 1.0, "b").translation == pytest.approx((2, 0, 0), abs=1e-12)
 
 
 def test_antipodal_rotations_do_not_turn_in_between(tree):

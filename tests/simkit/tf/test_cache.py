@@ -66,6 +66,16 @@ def test_rotation_between_two_samples_is_slerp():
         assert cache.at(200 + pos)[2] == pytest.approx(expected, abs=1e-12)
 
 
+def test_at_a_stamp_nothing_is_computed():
+    rng = random.Random(3)
+    cache = TimeCache(LENGTH)
+    samples = {t: edge(2, (math.inf, 0.1, t / 3), random_rotation(rng)) for t in (10, 20, 30)}
+    for t, sample in samples.items():
+        cache.insert(t, sample)
+    for t, sample in samples.items():
+        assert cache.at(t) == sample
+
+
 def test_no_interpolation_across_a_change_of_parent():
     cache = TimeCache(LENGTH)
     first = edge(4, (1.0, 2.0, 3.0))

@@ -42,6 +42,32 @@ def test_unknown_frame_without_a_near_name(buffer, stamped):
     )
 
 
+def test_of_many_frames_some_are_named(buffer, stamped):
+    for i in range(30):
+        buffer.set_transform(stamped("world", f"link{i:02}", 1.0))
+    assert "known: link00, link01, " in hint(buffer, "world", "arm")
+    assert "link11 and 19 more. " in hint(buffer, "world", "arm")
+
+
+def test_a_flood_of_frames_does_not_slow_a_hint(buffer, stamped):
+    message = stamped("f0", "f1", 1.0)
+    for i in range(1, 900):
+        for name in (f"f{i}", f"a{i}", f"b{i}", f"c{i}"):
+            message.header.frame_id, message.child_frame_id = f"f{i - 1}", name
+            buffer.set_transform(message)
+    buffer.set_transform(stamped("island", "palm", 1.0))
+    steps = 0
+
+    def counting(name, *, time=0, parent_of=buffer.core.parent_of):
+        nonlocal steps
+        steps += 1
+        return parent_of(name, time=time)
+
+    buffer.core.parent_of = counting
+    assert "two trees" in hint(buffer, "palm", "f899")
+    assert steps < 30_000
+
+
 def test_into_the_future(buffer, stamped):
     for t in (5.0, 6.0):
         buffer.set_transform(stamped("world", "turtle1", t))

@@ -136,8 +136,9 @@ def test_a_jump_back_in_time_clears(feed, clock, stamped):
     assert warnings == ["Detected jump back in time of 10.000000s. Clearing TF buffer."]
 
 
-def test_warnings_of_questions_are_passed_on(feed):
-    _, buffer, warnings = feed
+def test_warnings_of_questions_are_passed_on(feed, stamped):
+    feed, buffer, warnings = feed
+    feed.on_transforms(tf_message(stamped("w", "a")))
     buffer.can_transform("/a", "b")
     assert len(warnings) == 1
 

@@ -17,5 +17,6 @@ def test_a_loop_has_no_root(tree):
     tree.put("b", "a", 1.0)
     tree.put("a", "b", 1.0)
     tree.put("a", "c", 1.0)
+    tree.put("c", "d", 1.0)
     assert trees(tree.core) == {}
     assert find_loop(tree.core) == ["a", "b"]

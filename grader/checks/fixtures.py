@@ -1,0 +1,106 @@
+"""What a check can ask for by naming it as an argument."""
+
+from __future__ import annotations
+
+import hashlib
+import random
+from collections.abc import Callable, Iterator
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+import pytest
+
+from grader.checks.context import CheckContext, context_of
+from grader.checks.layout import lay_out
+from grader.checks.nodes import NodeWatch, permissions_of, require_handed_in
+from grader.exercises import Exercise
+from grader.submission import Submission
+from simkit import Simulation
+from simkit.graph.process import NodeRuntime
+
+WATCH: pytest.StashKey[NodeWatch] = pytest.StashKey()
+ALLOWANCE = 5.0
+"""Wall time for which a script of a student may compute without waiting [s]."""
+
+
+@pytest.fixture(scope="session")
+def check_context(pytestconfig: pytest.Config) -> CheckContext:
+    """What these checks are about."""
+    return context_of(pytestconfig)
+
+
+@pytest.fixture(scope="session")
+def submission(check_context: CheckContext) -> Submission:
+    """What the student handed in: `files` by path, `answers` by name."""
+    return check_context.submission
+
+
+@pytest.fixture(scope="session")
+def exercise(check_context: CheckContext) -> Exercise:
+    """What was asked for."""
+    return check_context.exercise
+
+
+@pytest.fixture(scope="session")
+def package_path(check_context: CheckContext) -> Path:
+    """Folder with the student's files, laid out as ROS packages."""
+    folder = check_context.folder / "work"
+    files = check_context.submission.files
+    lay_out(files, folder, package=check_context.exercise.package)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def node_runtime(check_context: CheckContext, package_path: Path) -> Iterator[NodeRuntime]:
+    """Where the student's nodes run: in the sandbox, under its limits."""
+    home = check_context.folder / "home"
+    home.mkdir(mode=0o777)
+    home.chmod(0o777)  # not for anyone: the folder around it is closed
+    confinement = check_context.sandbox.confine(package_path, home)
+    runtime = NodeRuntime(
+        confinement.command_prefix,
+        limits=confinement.limits,
+        environment=confinement.environment,
+        allowance=ALLOWANCE,
+    )
+    yield runtime
+    runtime.close()
+
+
+@pytest.fixture
+def seed(check_context: CheckContext, request: pytest.FixtureRequest) -> int:
+    """A number that is the same at each run of a check, and another for each check."""
+    text = f"{check_context.exercise.id}/{request.node.name}"
+    return int.from_bytes(hashlib.sha256(text.encode()).digest()[:4], "big")
+
+
+@pytest.fixture
+def rng(seed: int) -> random.Random:
+    """Random inputs for the check, the same at each run."""
+    return random.Random(seed)
+
+
+@pytest.fixture
+def sim(seed: int, package_path: Path, node_runtime: NodeRuntime) -> Iterator[Simulation]:
+    """A fresh simulation that finds the student's package."""
+    with Simulation(
+        seed=seed, package_path=[str(package_path)], runtime=node_runtime
+    ) as simulation:
+        yield simulation
+
+
+@pytest.fixture
+def run_node(
+    sim: Simulation, exercise: Exercise, submission: Submission, request: pytest.FixtureRequest
+) -> Callable[..., Any]:
+    """Start a script of the student: `run_node("listener.py", "_turtle:=turtle2")` is its node."""
+    watch = request.node.stash[WATCH]
+    permissions = permissions_of(exercise)
+
+    def start(script: str, *arguments: str) -> Any:
+        path = PurePosixPath(require_handed_in(script, exercise, submission))
+        node = sim.rosrun(path.parts[0], path.name, *arguments, permissions=permissions)
+        watch.nodes.append((path.name, node))
+        return node
+
+    return start

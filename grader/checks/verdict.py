@@ -1,0 +1,71 @@
+"""From what happened in a check to what the student reads."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from grader.checks.expect import explanation
+from grader.checks.nodes import NodeWatch, Trouble
+from grader.checks.values import bounded
+from grader.errors import CheckFailed
+from grader.results import Status
+from simkit.errors import SimkitError
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Verdict:
+    """How one check came out."""
+
+    status: Status
+    message: str = ""
+    hint: str = ""
+
+
+def verdict_of(error: BaseException | None, watch: NodeWatch) -> Verdict:
+    """The verdict of a check that has just run.
+
+    A check that passed has passed, whatever its nodes did; what they were refused is said. One
+    that did not begins with what happened in a node of the student, since that is the cause, and
+    what was expected the effect.
+
+    Args:
+        error: What the check raised; None if it returned.
+        watch: The nodes that it started.
+    """
+    if error is None:
+        return Verdict(status=Status.PASSED, message=bounded(watch.refusal()))
+    if isinstance(error, pytest.skip.Exception):
+        return Verdict(status=Status.SKIPPED, message=bounded(str(error)))
+    trouble = watch.trouble()
+    if isinstance(error, CheckFailed):
+        return _failed(error, trouble, watch.early_ends())
+    if trouble is not None:
+        return Verdict(status=trouble.status, message=bounded(trouble.message))
+    if isinstance(error, SimkitError):
+        # No such frame, no message on that topic: the graph is as the student's nodes left it.
+        hint = bounded(str(getattr(error, "hint", "")))
+        return Verdict(status=Status.FAILED, message=bounded(str(error)), hint=hint)
+    return Verdict(status=Status.INFRASTRUCTURE, message=our_fault(error))
+
+
+def _failed(error: CheckFailed, trouble: Trouble | None, early_ends: str) -> Verdict:
+    parts = [trouble.message if trouble else "", explanation(error), early_ends]
+    return Verdict(
+        status=trouble.status if trouble else Status.FAILED,
+        message=bounded("\n".join(part for part in parts if part)),
+        hint=bounded(error.hint),
+    )
+
+
+def our_fault(error: BaseException) -> str:
+    """One line about an error in our own code, with the innermost place that is known."""
+    place = ""
+    trace = error.__traceback__
+    while trace is not None:
+        place = f" ({Path(trace.tb_frame.f_code.co_filename).name}:{trace.tb_lineno})"
+        trace = trace.tb_next
+    text = bounded(f"{type(error).__name__}: {error}".rstrip(": "), 300)
+    return f"this check could not decide, which is not your fault: {text}{place}"

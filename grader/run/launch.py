@@ -1,0 +1,278 @@
+"""Start checker processes: forked from a warm parent, or, where there is no fork, a fresh Python.
+
+The warm parent imports pytest and simkit once; a checker then starts in a few milliseconds. It is
+ours, not multiprocessing's, since that would import the caller's own script in every checker, and
+a student may call `check` from one.
+"""
+
+from __future__ import annotations
+
+import atexit
+import contextlib
+import functools
+import json
+import os
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+from collections.abc import Callable
+from io import BufferedReader
+from typing import Protocol
+
+from grader.errors import GraderError
+from grader.run.supervise import Checker
+
+LENGTH_BYTES = 8
+"""A job travels as its length, big-endian, and its bytes."""
+HAS_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds") and sys.platform != "darwin"
+"""macOS can fork, but its system libraries do not survive it."""
+_END_SECONDS = 10.0
+
+
+class Launcher(Protocol):
+    """A way to start checker processes."""
+
+    def start(self, job: bytes) -> Checker:
+        """Start a checker on a job."""
+
+    def close(self) -> None:
+        """End every checker, and whatever was kept warm."""
+
+
+def framed(job: bytes) -> bytes:
+    """A job as it travels."""
+    return len(job).to_bytes(LENGTH_BYTES, "big") + job
+
+
+def read_framed(read: Callable[[int], bytes]) -> bytes | None:
+    """A job as it arrives; None if the other end closes before it is complete.
+
+    Args:
+        read: Returns at most so many bytes; none at the end.
+    """
+    data = bytearray()
+    wanted = LENGTH_BYTES
+    while len(data) < wanted:
+        piece = read(min(wanted - len(data), 1 << 20))
+        if not piece:
+            return None
+        data += piece
+        if len(data) == wanted == LENGTH_BYTES:
+            wanted += int.from_bytes(data, "big")
+    return bytes(data[LENGTH_BYTES:])
+
+
+def clean_environment() -> dict[str, str]:
+    """The environment of checkers: the same on every machine, and nothing of the caller's."""
+    environment = {
+        "PATH": "/usr/local/bin:/usr/bin:/bin",
+        "HOME": tempfile.gettempdir(),
+        "LANG": "C.UTF-8",
+        "TZ": "UTC",
+        "PYTHONHASHSEED": "0",
+        "PYTHONDONTWRITEBYTECODE": "1",
+        "PYTHONUTF8": "1",
+        "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+        "OPENBLAS_NUM_THREADS": "1",
+        "OMP_NUM_THREADS": "1",
+        "MPLBACKEND": "Agg",
+        "MPLCONFIGDIR": tempfile.gettempdir(),
+    }
+    for name in ("SYSTEMROOT", "TEMP", "TMP", "TMPDIR"):
+        if name in os.environ:
+            environment[name] = os.environ[name]
+    return environment
+
+
+def _python(module: str, *arguments: str) -> list[str]:
+    return [sys.executable, "-s", "-P", "-m", module, *arguments]
+
+
+class WarmLauncher:
+    """Forks checkers from one warm parent, started when first needed, replaced if it dies."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._process: subprocess.Popen[bytes] | None = None
+        self._control: socket.socket | None = None
+        self._running: set[_ForkedChecker] = set()
+        self._closed = False
+
+    def start(self, job: bytes) -> Checker:
+        """Fork a checker.
+
+        Raises:
+            GraderError: No warm parent can be started.
+        """
+        lifeline, theirs = socket.socketpair()
+        results, results_theirs = os.pipe()
+        output, output_theirs = os.pipe()
+        try:
+            self._send([theirs.fileno(), results_theirs, output_theirs])
+        except GraderError:
+            lifeline.close()
+            os.close(results)
+            os.close(output)
+            raise
+        finally:
+            theirs.close()
+            os.close(results_theirs)
+            os.close(output_theirs)
+        with contextlib.suppress(BrokenPipeError, ConnectionResetError):
+            lifeline.sendall(framed(job))
+        checker = _ForkedChecker(
+            lifeline, os.fdopen(results, "rb"), os.fdopen(output, "rb"), self._running.discard
+        )
+        self._running.add(checker)
+        return checker
+
+    def close(self) -> None:
+        """End the warm parent and every checker that came from it; nothing starts afterwards."""
+        with self._lock:
+            self._closed = True
+            for checker in list(self._running):
+                checker.kill()
+            self._stop()
+
+    def _send(self, fds: list[int]) -> None:
+        with self._lock:
+            if self._closed:
+                raise GraderError("grading was stopped")
+            for attempt in (1, 2):
+                if (
+                    self._control is None
+                    or self._process is None
+                    or self._process.poll() is not None
+                ):
+                    self._stop()
+                    self._launch()
+                assert self._control is not None
+                try:
+                    socket.send_fds(self._control, [b"j"], fds)
+                    return
+                except OSError as error:
+                    self._stop()
+                    if attempt == 2:
+                        raise GraderError(f"no checker process can be started: {error}") from error
+
+    def _launch(self) -> None:
+        self._control, theirs = socket.socketpair()
+        with theirs:
+            self._process = subprocess.Popen(
+                _python("grader.run.warm", str(theirs.fileno())),
+                stdin=subprocess.DEVNULL,
+                env=clean_environment(),
+                pass_fds=[theirs.fileno()],
+                start_new_session=True,
+            )
+
+    def _stop(self) -> None:
+        if self._control is not None:
+            self._control.close()
+        if self._process is not None:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self._process.wait(timeout=_END_SECONDS)
+            self._process.kill()
+            self._process.wait()
+        self._control = self._process = None
+
+
+class _ForkedChecker:
+    """A checker behind a guard: closing the lifeline makes the guard kill all that came from it."""
+
+    def __init__(
+        self,
+        lifeline: socket.socket,
+        results: BufferedReader,
+        output: BufferedReader,
+        on_end: Callable[[_ForkedChecker], None],
+    ) -> None:
+        self.results = results
+        self.output = output
+        self._lifeline = lifeline
+        self._on_end = on_end
+        self._lifeline.settimeout(_END_SECONDS)
+
+    def kill(self) -> None:
+        with contextlib.suppress(OSError):
+            self._lifeline.shutdown(socket.SHUT_WR)
+
+    def wait(self) -> int | None:
+        self._on_end(self)
+        with self._lifeline:
+            try:
+                text = self._lifeline.recv(100)
+                return int(json.loads(text)["exit_code"])
+            except (OSError, ValueError, KeyError):
+                return None
+
+
+class SpawnLauncher:
+    """Starts each checker as a fresh Python; slower, and possible everywhere."""
+
+    def __init__(self) -> None:
+        self._running: set[_SpawnedChecker] = set()
+
+    def start(self, job: bytes) -> Checker:
+        """Start a checker."""
+        process = subprocess.Popen(
+            _python("grader.run.checker"),
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            env=clean_environment(),
+            start_new_session=True,
+        )
+        checker = _SpawnedChecker(process, self._running.discard)
+        self._running.add(checker)
+        assert process.stdin is not None
+        with contextlib.suppress(OSError):
+            process.stdin.write(framed(job))
+            process.stdin.flush()
+        return checker
+
+    def close(self) -> None:
+        """Kill every checker."""
+        for checker in list(self._running):
+            checker.kill()
+
+
+class _SpawnedChecker:
+    """A checker in a session of its own, whose standard input is its lifeline."""
+
+    def __init__(
+        self, process: subprocess.Popen[bytes], on_end: Callable[[_SpawnedChecker], None]
+    ) -> None:
+        assert isinstance(process.stdout, BufferedReader)
+        assert isinstance(process.stderr, BufferedReader)
+        self.results = process.stdout
+        self.output = process.stderr
+        self._process = process
+        self._on_end = on_end
+
+    def kill(self) -> None:
+        if self._process.poll() is None:
+            self._process.kill()
+        if hasattr(os, "killpg"):
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.killpg(self._process.pid, signal.SIGKILL)
+
+    def wait(self) -> int | None:
+        if self._process.stdin is not None:
+            with contextlib.suppress(OSError):
+                self._process.stdin.close()
+        self._on_end(self)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            return self._process.wait(timeout=_END_SECONDS)
+        return None
+
+
+@functools.cache
+def default_launcher() -> Launcher:
+    """The quickest launcher that works here; it lasts as long as this process."""
+    launcher: Launcher = WarmLauncher() if HAS_FORK else SpawnLauncher()
+    atexit.register(launcher.close)
+    return launcher

@@ -1,0 +1,109 @@
+"""The warm parent of checkers: imports once, then forks a guard for each job, and the guard a checker.
+
+The guard holds the lifeline to the runner. When the checker ends, or the lifeline closes (its time
+is over, or the runner is gone, whatever the reason), the guard kills every process that came from
+the checker, also those that detached themselves, and tells how the checker ended.
+
+Run as `python -m grader.run.warm FD`.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import gc
+import json
+import os
+import select
+import signal
+import socket
+import sys
+from collections.abc import Callable
+
+from grader.run.checker import work
+from grader.run.family import end_family
+from grader.run.launch import read_framed
+
+_PR_SET_PDEATHSIG = 1
+_PR_SET_CHILD_SUBREAPER = 36
+
+
+def main() -> None:
+    """Serve jobs until the runner closes the control socket."""
+    control = socket.socket(fileno=int(sys.argv[1]))
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the runner, which then closes us
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards leave no zombies
+    gc.collect()
+    gc.freeze()  # checkers share these pages instead of copying them at the first collection
+    while True:
+        message, fds, _, _ = socket.recv_fds(control, 1, 3)
+        if not message:
+            return
+        if os.fork() == 0:
+            control.close()
+            _in_child(_guard_of, fds)
+        for fd in fds:
+            os.close(fd)
+
+
+def _guard_of(fds: list[int]) -> None:
+    for fd in fds:
+        os.set_inheritable(fd, False)
+    guard(socket.socket(fileno=fds[0]), fds[1], fds[2])
+
+
+def guard(lifeline: socket.socket, results: int, output: int) -> None:
+    """Run one checker and end all that came from it.
+
+    Args:
+        lifeline: Brings the job; takes the exit code.
+        results: File descriptor for the checker's events.
+        output: File descriptor for what it prints.
+    """
+    os.setsid()  # away from the terminal's signals; no node inherits a file descriptor of ours
+    signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+    _prctl(_PR_SET_CHILD_SUBREAPER, 1)
+    job = read_framed(lifeline.recv)
+    if job is None:
+        return
+    ended, alive = os.pipe()  # the checker keeps `alive` open for as long as it lives
+    checker = os.fork()
+    if checker == 0:
+        lifeline.close()
+        _in_child(_become_checker, job, results, output)
+    for fd in (results, output, alive):
+        os.close(fd)
+    select.select([lifeline.fileno(), ended], [], [])
+    exit_code = end_family(checker)
+    with contextlib.suppress(OSError):
+        lifeline.sendall(json.dumps({"exit_code": exit_code}).encode())
+
+
+def _become_checker(job: bytes, results: int, output: int) -> None:
+    _prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+    os.setsid()
+    nothing = os.open(os.devnull, os.O_RDONLY)
+    for source, target in ((nothing, 0), (output, 1), (output, 2)):
+        os.dup2(source, target)
+    work(job, results)
+
+
+def _prctl(option: int, value: int) -> None:
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(option, value, 0, 0, 0)
+
+
+def _in_child(task: Callable[..., None], *arguments: object) -> None:
+    """Run a task as the rest of this process's life."""
+    code = 70
+    try:
+        task(*arguments)
+        code = 0
+    except BaseException as error:
+        os.write(2, f"{type(error).__name__}: {error}\n".encode("utf-8", "replace"))
+    finally:
+        os._exit(code)
+
+
+if __name__ == "__main__":
+    main()

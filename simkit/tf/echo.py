@@ -1,0 +1,53 @@
+"""What `rosrun tf tf_echo` prints: where one frame is in another."""
+
+from __future__ import annotations
+
+import math
+
+from simkit.msgs import Time
+from simkit.tf.admission import without_slash
+from simkit.tf.buffer import Buffer
+from simkit.tf.errors import TransformException
+from simkit.tf.rotation import roll_pitch_yaw, through_matrix
+
+
+def echo_text(buffer: Buffer, source: str, target: str, now: Time, precision: int = 3) -> str:
+    """One block of tf_echo's output, with the line break at its end.
+
+    `tf_echo A B` prints the pose of B seen from A: what tf_echo calls the source is what a
+    lookup calls the target.
+
+    Args:
+        buffer: The transforms.
+        source: First argument of tf_echo (A); one leading slash is dropped.
+        target: Second argument of tf_echo (B); one leading slash is dropped.
+        now: Current time, shown when the lookup fails.
+        precision: Digits after the point.
+
+    Source:
+        tf `tf_echo.cpp`; the quaternion has unit length and the sign of a matrix' quaternion.
+    """
+    a, b = without_slash(source), without_slash(target)
+    try:
+        found = buffer.core.lookup(a, b)
+    except TransformException as error:
+        return (
+            f"Failure at {now.secs}.{now.nsecs:09d}\n"
+            f"Exception thrown:{error}\n"
+            "The current list of frames is:\n"
+            f"{buffer.all_frames_as_string()}\n"
+        )
+    angles = roll_pitch_yaw(found.rotation)
+    degrees = tuple(math.degrees(angle) for angle in angles)
+    indent = " " * 12
+    return (
+        f"At time {found.stamp / 1e9:.{precision}f}\n"
+        f"- Translation: {_row(found.translation, precision)}\n"
+        f"- Rotation: in Quaternion {_row(through_matrix(found.rotation), precision)}\n"
+        f"{indent}in RPY (radian) {_row(angles, precision)}\n"
+        f"{indent}in RPY (degree) {_row(degrees, precision)}\n"
+    )
+
+
+def _row(values: tuple[float, ...], precision: int) -> str:
+    return "[" + ", ".join(f"{v:.{precision}f}" for v in values) + "]"
