@@ -53,6 +53,21 @@ class _Topic:
         return int(client.current().ask(Op.QUERY, what="connections", id=self._id)["value"])
 
 
+class _Line:
+    """A node's one publisher on a topic, which all `Publisher` objects of that topic share.
+
+    Scripts make a broadcaster in every callback; as in rospy, that must not register anew each time.
+    """
+
+    def __init__(self, number: int) -> None:
+        self.id = number
+        self.users = 0
+        self.sequence = 0
+
+
+_lines: dict[tuple[str, str, bool], _Line] = {}
+
+
 class Publisher(_Topic):
     """Sends messages on a topic.
 
@@ -85,14 +100,19 @@ class Publisher(_Topic):
                 stacklevel=2,
             )
         self.latch = latch
-        self._sequence = 0
+        self._key = (name, self.type, bool(latch))
         when_initialized(self._register)
 
     def _register(self) -> None:
-        try:
-            self._id = client.current().advertise(self.name, self.type, latch=self.latch)
-        except Refused as error:
-            raise ROSException(str(error)) from None
+        if self._key not in _lines:
+            try:
+                number = client.current().advertise(self.name, self.type, latch=self.latch)
+            except Refused as error:
+                raise ROSException(str(error)) from None
+            _lines[self._key] = _Line(number)
+        self._line = _lines[self._key]
+        self._line.users += 1
+        self._id = self._line.id
 
     def publish(self, *args: Any, **kwds: Any) -> None:
         """Send a message: an instance, or the fields of one.
@@ -109,8 +129,8 @@ class Publisher(_Topic):
             raise ROSException("publish() to a closed topic")
         message = as_message(self.data_class, args, kwds)
         if message._has_header:
-            self._sequence += 1
-            message.header.seq = self._sequence
+            self._line.sequence += 1
+            message.header.seq = self._line.sequence
         try:
             data = message.to_bytes()
         except SerializationError as error:
@@ -120,7 +140,10 @@ class Publisher(_Topic):
     def unregister(self) -> None:
         """Leave the topic."""
         if self._id is not None and not self._closed:
-            client.current().unadvertise(self._id)
+            self._line.users -= 1
+            if self._line.users == 0:
+                client.current().unadvertise(self._id)
+                del _lines[self._key]
         self._closed = True
 
 

@@ -508,3 +508,22 @@ def _lives(pid):
 
 def _children_of(pid):
     return [int(child) for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+
+
+def test_a_publisher_made_in_every_callback_is_one_publisher(sim, run_script):
+    node = run_script(
+        """
+        import rospy
+        from std_msgs.msg import Header
+        rospy.init_node('many')
+        rate = rospy.Rate(100)
+        while not rospy.is_shutdown():
+            rospy.Publisher('/head', Header, queue_size=1).publish(Header())
+            rate.sleep()
+        """
+    )
+    record = sim.record({"/head": "std_msgs/Header"})
+    sim.run(20)
+    assert node.failure is None
+    assert len(node.publishers) == 1
+    assert len(record["/head"]) == 2000
