@@ -27,7 +27,7 @@ $(READY): requirements.lock pyproject.toml
 
 lab: $(READY)
 	$(BIN)/grader start all
-	cd $(WORK) && ../$(BIN)/jupyter lab
+	cd $(WORK) && ../$(BIN)/jupyter lab $(LAB_OPTIONS)
 
 grade: $(READY)
 	$(BIN)/grader grade solutions exercises --out gradebook
