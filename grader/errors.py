@@ -30,7 +30,7 @@ class SandboxError(GraderError):
     """The isolation that was asked for is not to be had on this machine."""
 
 
-class CheckFailed(AssertionError):  # noqa: N818  (read aloud: "the check failed")
+class CheckFailed(AssertionError):
     """A check's verdict on the student's work: never our own fault."""
 
     def __init__(

@@ -14,14 +14,14 @@ from grader.exercises import Definition
 
 
 def check_files_are_sound(
-    root: Path, names: Sequence[str], definition: Definition
+    root: Path, definition: Definition, *, names: Sequence[str]
 ) -> Iterator[Finding]:
     """What is wrong with the files of checks of an exercise.
 
     Args:
         root: Folder of the workbook.
-        names: The files, public checks first; missing ones are left out.
         definition: What is handed in.
+        names: The files, public checks first; missing ones are left out.
     """
     trees: list[ast.Module] = []
     for name in names:

@@ -62,17 +62,17 @@ def fresh(root: Path, source: Source) -> Iterator[Finding]:
             yield Finding(file=name, what="is stale", remedy="run `grader build`")
 
 
-def nothing_else(root: Path, sources: Sequence[str], keys: Sequence[str]) -> Iterator[Finding]:
+def nothing_else(root: Path, *, slugs: Sequence[str], keys: Sequence[str]) -> Iterator[Finding]:
     """Nothing lies in the trees that belongs to no exercise.
 
     Args:
         root: Folder of the workbook.
-        sources: Names of the sources without ending, also of those with a fault.
+        slugs: Names of the sources without ending, also of those with a fault.
         keys: What their numbers are in names of files.
     """
     known = {"exercises/README.md", "solutions/README.md"}
-    known |= {f"{tree}/{slug}.ipynb" for slug in sources for tree in ("exercises", "solutions")}
-    known |= {f"solutions/{slug}.md" for slug in sources}
+    known |= {f"{tree}/{slug}.ipynb" for slug in slugs for tree in ("exercises", "solutions")}
+    known |= {f"solutions/{slug}.md" for slug in slugs}
     for key in keys:
         known |= {
             f"exercises/test_{key}.py",

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from grader.errors import GraderError, SubmissionError
-from grader.exercises import Exercise, get_exercise, load_exercises
+from grader.exercises import Exercise, get_exercise
 from grader.submission import read_notebook
 
 RECORD = ".started.json"
@@ -58,19 +58,6 @@ def start(root: Path, exercise_id: str, *, work: Path | None = None) -> Started:
     except OSError as error:
         raise GraderError(f"cannot write to {work}: {error}") from error
     return Started(notebook=notebook, messages=(message, *folders))
-
-
-def start_all(root: Path, *, work: Path | None = None) -> list[Started]:
-    """Start every exercise of a workbook, in order.
-
-    Args:
-        root: Folder of the workbook.
-        work: The working folder; `root/work` if None.
-
-    Raises:
-        GraderError: The working folder cannot be written.
-    """
-    return [start(root, exercise_id, work=work) for exercise_id in load_exercises(root)]
 
 
 def _make_packages(exercise: Exercise, work: Path) -> list[str]:

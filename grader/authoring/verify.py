@@ -66,7 +66,7 @@ def verify(
 def _whole_tree(root: Path) -> list[Finding]:
     slugs = [path.stem for path in source_paths(root)]
     keys = [f"{found[1]}_{found[2]}" for slug in slugs if (found := SLUG_PATTERN.fullmatch(slug))]
-    findings = list(nothing_else(root, slugs, keys))
+    findings = list(nothing_else(root, slugs=slugs, keys=keys))
     for slug in slugs:
         same = [other for other in slugs if other[:4] == slug[:4]]
         if same[0] != slug:
@@ -89,7 +89,7 @@ def _without_grading(root: Path, source: Source) -> list[Finding]:
     return [
         *complete(root, source),
         *fresh(root, source),
-        *check_files_are_sound(root, checks, source.definition),
+        *check_files_are_sound(root, source.definition, names=checks),
         *nothing_leaks(source),
     ]
 

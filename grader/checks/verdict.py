@@ -40,14 +40,13 @@ def verdict_of(error: BaseException | None, watch: NodeWatch) -> Verdict:
     if isinstance(error, pytest.skip.Exception):
         return Verdict(status=Status.SKIPPED, message=bounded(str(error)))
     trouble = watch.trouble()
+    if isinstance(error, SimkitError):
+        # No such frame, no message on that topic: the graph is as the student's nodes left it.
+        error = CheckFailed(str(error), hint=str(getattr(error, "hint", "")))
     if isinstance(error, CheckFailed):
         return _failed(error, trouble, watch.early_ends())
     if trouble is not None:
         return Verdict(status=trouble.status, message=bounded(trouble.message))
-    if isinstance(error, SimkitError):
-        # No such frame, no message on that topic: the graph is as the student's nodes left it.
-        hint = bounded(str(getattr(error, "hint", "")))
-        return Verdict(status=Status.FAILED, message=bounded(str(error)), hint=hint)
     return Verdict(status=Status.INFRASTRUCTURE, message=our_fault(error))
 
 
@@ -55,8 +54,9 @@ def _failed(error: CheckFailed, trouble: Trouble | None, early_ends: str) -> Ver
     parts = [trouble.message if trouble else "", explanation(error), early_ends]
     return Verdict(
         status=trouble.status if trouble else Status.FAILED,
-        message=bounded("\n".join(part for part in parts if part)),
-        hint=bounded(error.hint),
+        message=bounded("\n".join(part.strip() for part in parts if part)),
+        # The hint is about the expectation; where a node broke down, its own message is the one to read.
+        hint=bounded(error.hint) if trouble is None or trouble.status is Status.FAILED else "",
     )
 
 

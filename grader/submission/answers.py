@@ -13,8 +13,10 @@ from grader.submission.notebook import Cell, Notebook
 from grader.submission.writefile import written_file
 from simkit.errors import near_names
 
-MAX_ANSWER_CELL = 50_000
+MAX_ANSWER_CELL = 20_000
 """Longest cell that is searched for answers [characters]."""
+MAX_ANSWER_TEXT = 400_000
+"""So much of a notebook is searched for answers [characters]."""
 MAX_ANSWER_DEPTH = 20
 """Deepest nesting of an answer's lists and tables."""
 
@@ -43,8 +45,16 @@ def collect_answers(notebook: Notebook, names: Collection[str]) -> CollectedAnsw
         names: The names that the exercise asks for.
     """
     found = CollectedAnswers()
-    for cell in notebook.cells if names else ():
-        if "answer" in cell.tags:
+    left = MAX_ANSWER_TEXT
+    for cell in notebook.cells:
+        # The cheap look first: most cells are not worth parsing.
+        if "answer" not in cell.tags and not any(name in cell.source for name in names):
+            continue
+        left -= len(cell.source) if len(cell.source) <= MAX_ANSWER_CELL else 0
+        if left < 0:
+            found.notes.append("The notebook is too long; only its beginning was searched.")
+            break
+        if "answer" in cell.tags and names:
             _read_answer_cell(cell, names, found)
         elif cell.kind == "code" and _assigns_only(cell.source, names):
             found.notes.append(
@@ -106,10 +116,7 @@ def _targets(statement: ast.stmt) -> tuple[list[str], ast.expr] | None:
 
 
 def _assigns_only(source: str, names: Collection[str]) -> bool:
-    # The cheap look first: most cells are not worth parsing.
-    if len(source) > MAX_ANSWER_CELL or not any(name in source for name in names):
-        return False
-    if written_file(source) is not None:
+    if len(source) > MAX_ANSWER_CELL or written_file(source) is not None:
         return False
     found = [_targets(statement) for statement in _parse(source) or []]
     return bool(found) and all(pair is not None and set(pair[0]) <= set(names) for pair in found)

@@ -26,6 +26,9 @@ from grader.submission.submission import Submission
 if TYPE_CHECKING:
     from grader.exercises import Exercise
 
+MAX_PROBLEMS = 20
+"""So many files of a student are named that cannot be read."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FoundSubmission:
@@ -73,7 +76,7 @@ def discover(paths: Iterable[Path], exercises: Mapping[str, Exercise]) -> list[F
     """
     by_owner: dict[Owner, list[Finding]] = {}
     for path in dict.fromkeys(Path(path) for path in paths):
-        findings = [read_item(item, path.name, exercises) for item in scan(path)]
+        findings = [read_item(item, exercises, path_name=path.name) for item in scan(path)]
         for owner, finding in assign_owners(path, findings):
             by_owner.setdefault(owner, []).append(finding)
     names = _distinct_names(list(by_owner))
@@ -107,9 +110,11 @@ def _found(student: str, findings: list[Finding]) -> FoundSubmission:
     submissions: dict[str, Submission] = {}
     unreadable: dict[str, str] = {}
     problems = [f"{one.problem}." for one in findings if one.problem and one.exercise is None]
+    if len(problems) > MAX_PROBLEMS:
+        problems[MAX_PROBLEMS:] = [f"{len(problems) - MAX_PROBLEMS} more files cannot be read."]
     for exercise_id, candidates in by_exercise.items():
         readable = [one for one in candidates if one.submission is not None]
-        faults = [f"{one.problem}." for one in candidates if one.problem]
+        faults = [f"{one.problem}." for one in candidates if one.problem][:MAX_PROBLEMS]
         if readable:
             submissions[exercise_id] = _best(readable, student, faults)
         else:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 from grader.errors import SubmissionError
 from grader.submission.archive import Item
 from grader.submission.identify import exercise_by_name, exercise_of
-from grader.submission.lms import lms_name, student_name
+from grader.submission.labels import label
+from grader.submission.lms import lms_name
 from grader.submission.notebook import notebook_from_bytes
 from grader.submission.submission import Submission, submission_of
 
@@ -34,16 +35,16 @@ class Finding:
     @property
     def name(self) -> str:
         """Folders and name for a sentence; clean and short."""
-        return student_name("/".join(self.parts) or self.own_name)
+        return label("/".join(self.parts) or self.own_name)
 
 
-def read_item(item: Item, path_name: str, exercises: Mapping[str, Exercise]) -> Finding:
+def read_item(item: Item, exercises: Mapping[str, Exercise], *, path_name: str) -> Finding:
     """What a file is, of which exercise, and what is in it.
 
     Args:
         item: The file.
-        path_name: Name of the path of the command line, for an item that is that path itself.
         exercises: The known ones by id.
+        path_name: Name of the path of the command line, for an item that is that path itself.
     """
     name = item.parts[-1] if item.parts else path_name
     lms = lms_name(name)
@@ -54,7 +55,7 @@ def read_item(item: Item, path_name: str, exercises: Mapping[str, Exercise]) -> 
             parts=item.parts,
             own_name=own,
             exercise=exercise_by_name(own, exercises) if is_notebook else None,
-            problem=item.problem,
+            problem=label(item.problem, 300) if item.problem else "",
             is_folder=item.is_folder,
         )
     return _read_notebook(item.parts, own, item.data, exercises)
@@ -64,13 +65,13 @@ def _read_notebook(
     parts: tuple[str, ...], own: str, data: bytes, exercises: Mapping[str, Exercise]
 ) -> Finding:
     try:
-        notebook = notebook_from_bytes(data, name=student_name(own))
+        notebook = notebook_from_bytes(data, name=label(own))
     except SubmissionError as error:
         exercise = exercise_by_name(own, exercises)
         return Finding(parts=parts, own_name=own, exercise=exercise, problem=str(error))
-    exercise = exercise_of(notebook, own, exercises)
+    exercise = exercise_of(notebook, exercises, name=own)
     if exercise is None:
-        problem = f"{student_name(own)} belongs to no exercise that is graded here"
+        problem = f"{label(own)} belongs to no exercise that is graded here"
         return Finding(parts=parts, own_name=own, problem=problem)
     submission = submission_of(notebook, exercise)
     return Finding(parts=parts, own_name=own, exercise=exercise, submission=submission)

@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 
 def exercise_of(
-    notebook: Notebook, name: str, exercises: Mapping[str, Exercise]
+    notebook: Notebook, exercises: Mapping[str, Exercise], *, name: str
 ) -> Exercise | None:
     """The exercise that a notebook is a hand-in for; None if nothing tells.
 
     Args:
         notebook: What was read.
-        name: Its file name, without what a learning management system put before it.
         exercises: The known ones by id.
+        name: Its file name, without what a learning management system put before it.
     """
     claimed = exercises.get(notebook.exercise_id or "")
     return claimed or exercise_by_name(name, exercises) or _exercise_by_files(notebook, exercises)

@@ -8,11 +8,10 @@ Gradescope and nbgrader make a folder per student, which needs no rule.
 from __future__ import annotations
 
 import re
-import unicodedata
 from dataclasses import dataclass
 
-MAX_NAME = 100
-"""Longest name of a student [characters]."""
+from grader.submission.labels import label
+
 _MOODLE = re.compile(
     r"(?P<student>.+?)_(?P<number>\d+)_assignsubmission_file_?(?P<rest>.*)", re.DOTALL
 )
@@ -37,13 +36,4 @@ def lms_name(name: str) -> LmsName | None:
     found = _MOODLE.fullmatch(name) or _CANVAS.fullmatch(name)
     if found is None:
         return None
-    return LmsName(
-        student=student_name(found["student"]), number=found["number"], rest=found["rest"]
-    )
-
-
-def student_name(text: str) -> str:
-    """A name fit for tables: one line, no signs that steer a terminal or turn the text."""
-    text = text.encode("utf-8", "replace").decode("utf-8")
-    kept = "".join(c if unicodedata.category(c)[0] not in "CZ" else " " for c in text)
-    return " ".join(kept.split())[:MAX_NAME] or "unnamed"
+    return LmsName(student=label(found["student"]), number=found["number"], rest=found["rest"])

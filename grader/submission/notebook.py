@@ -11,6 +11,7 @@ from pathlib import Path
 
 from grader.errors import SubmissionError
 from grader.submission.json_text import parse_json
+from grader.submission.labels import label
 from grader.submission.reading import read_regular_file
 
 MAX_NOTEBOOK_BYTES = 64_000_000
@@ -59,7 +60,7 @@ def read_notebook(path: Path) -> Notebook:
         SubmissionError: The file cannot be read or holds no notebook; a sentence names it.
     """
     path = Path(path)
-    return notebook_from_bytes(read_regular_file(path, MAX_NOTEBOOK_BYTES), name=path.name)
+    return notebook_from_bytes(read_regular_file(path, MAX_NOTEBOOK_BYTES), name=label(path.name))
 
 
 def notebook_from_bytes(data: bytes, *, name: str) -> Notebook:

@@ -20,7 +20,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from grader.submission.finding import Finding
-from grader.submission.lms import lms_name, student_name
+from grader.submission.labels import label
+from grader.submission.lms import lms_name
 
 _NUMBER = re.compile(r"(?i)(?<![0-9a-z])[0-9s][ _.-]0?[0-9]{1,2}(?![0-9])")
 """The number of an exercise in the name of a file: 3_01, 3.1, S-1."""
@@ -67,7 +68,7 @@ def _named(place: str, name: str) -> Owner:
     lms = lms_name(name)
     if lms is not None:
         return Owner(place=place, name=lms.student, number=lms.number)
-    return Owner(place=place, name=student_name(name))
+    return Owner(place=place, name=label(name))
 
 
 def _owner_of_notebook(path: Path, finding: Finding) -> Owner:

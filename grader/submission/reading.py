@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import IO
 
 from grader.errors import SubmissionError
+from grader.submission.labels import label
 
 
 def read_regular_file(path: Path, max_bytes: int) -> bytes:
@@ -23,7 +24,7 @@ def read_regular_file(path: Path, max_bytes: int) -> bytes:
     with open_regular_file(path) as file:
         data = file.read(max_bytes + 1)
     if len(data) > max_bytes:
-        raise SubmissionError(too_large(path.name, max_bytes))
+        raise SubmissionError(too_large(label(path.name), max_bytes))
     return data
 
 
@@ -33,7 +34,7 @@ def open_regular_file(path: Path) -> IO[bytes]:
     Raises:
         SubmissionError: It is missing, a link, a pipe, a device or a folder.
     """
-    name = path.name
+    name = label(path.name)
     # Without O_NONBLOCK the mere opening of a pipe would wait for its writer for ever.
     flags = os.O_RDONLY
     for flag in ("O_NOFOLLOW", "O_NONBLOCK", "O_CLOEXEC", "O_BINARY"):

@@ -15,6 +15,9 @@ from simkit.errors import near_names
 if TYPE_CHECKING:
     from grader.exercises import Exercise
 
+MAX_NOTES = 100
+"""Most notes of one hand-in."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Submission:
@@ -67,12 +70,13 @@ def submission_of(notebook: Notebook, exercise: Exercise, *, student: str = "") 
     missing = [
         _missing_note(name, files.files) for name in exercise.files if name not in files.files
     ]
+    notes = dict.fromkeys([*notebook.notes, *files.notes, *missing, *answers.notes])
     return Submission(
         student=student,
         exercise_id=exercise.id,
         files=files.files,
         answers=answers.answers,
-        notes=tuple(dict.fromkeys([*notebook.notes, *files.notes, *missing, *answers.notes])),
+        notes=tuple(notes)[:MAX_NOTES],
     )
 
 

@@ -7,6 +7,8 @@ import shlex
 from dataclasses import dataclass
 
 _MAGIC = re.compile(r"(?P<signs>%{1,2})(?P<gap>[ \t]*)(?:writefile|file)(?=\s|$)(?P<rest>.*)")
+MAX_ARGUMENTS = 1000
+"""So much of the line is read [characters]; a path is much shorter."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -32,7 +34,7 @@ def written_file(source: str) -> WrittenFile | None:
     start = next((i for i, line in enumerate(lines) if not _is_skipped(line)), None)
     if start is None or not (found := _MAGIC.match(lines[start].strip())):
         return None
-    path, append, notes = _arguments(found["rest"])
+    path, append, notes = _arguments(found["rest"][:MAX_ARGUMENTS])
     if any(line.strip() for line in lines[:start]):
         notes.append("`%%writefile` must be the first line of its cell, above any comment")
     if found["signs"] == "%" or found["gap"]:

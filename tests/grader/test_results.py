@@ -4,7 +4,7 @@ import json
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from grader.errors import ResultError
@@ -129,6 +129,7 @@ _JSON = st.recursive(
 
 
 @given(_JSON)
+@settings(deadline=None)
 def test_any_json_is_a_result_or_a_result_error(value: object) -> None:
     with pytest.raises(ResultError):
         ExerciseResult.from_json(value)

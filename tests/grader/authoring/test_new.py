@@ -39,6 +39,13 @@ def test_a_scaffold_builds_and_verify_says_what_is_to_be_filled_in(tmp_path: Pat
     }
 
 
+def test_a_scaffold_is_graded_by_its_own_checks(tmp_path: Path) -> None:
+    new_exercise(tmp_path, "3.11", title="Follow the wall")
+    build(tmp_path)
+    findings = verify(tmp_path, jobs=2)
+    assert [finding.what for finding in findings] == ["the scaffold still says FILL IN"] * 4
+
+
 @pytest.mark.parametrize(
     ("number", "title"),
     [("3", "x"), ("3.1.1", "x"), ("../3.1", "x"), ("3.1", ""), ("3.1", "a: b"), ("3.1", "{x}")],

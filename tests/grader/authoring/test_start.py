@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from grader.authoring.start import start, start_all
+from grader.authoring.start import start
 from simkit.errors import UnknownNameError
 
 
@@ -93,14 +93,6 @@ def test_a_copy_of_unknown_origin_or_broken_is_left_alone(built: Any) -> None:
     notebook.write_text("not a notebook")
     assert "beside it" in start(built.root, "3.1").messages[0]
     assert notebook.read_text() == "not a notebook"
-
-
-def test_all_exercises_are_started_in_order(built: Any) -> None:
-    text = built.read(built.source).replace("3.1", "3.2")
-    built.write("solutions/3_02_say_more.md", text)
-    built.build()
-    names = [done.notebook.name for done in start_all(built.root)]
-    assert names == ["3_01_say_it.ipynb", "3_02_say_more.ipynb"]
 
 
 def test_an_unknown_exercise_is_refused(built: Any) -> None:

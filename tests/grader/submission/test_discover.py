@@ -229,7 +229,7 @@ def test_each_unreadable_notebook_gives_its_reason_and_no_more(
     (tmp_path / "all" / "gil.zip").write_bytes(b"no zip")
     start = time.perf_counter()
     found = {one.student: one for one in discover([tmp_path / "all"], exercises)}
-    assert time.perf_counter() - start < 2
+    assert time.perf_counter() - start < 10
     assert list(found) == ["ada", "bob", "cyd", "dan", "eve", "fay", "gil"]
     assert found["ada"].submissions
     for name, says in (("bob", "is a link"), ("cyd", "is empty"), ("eve", "not a regular file")):
@@ -238,6 +238,22 @@ def test_each_unreadable_notebook_gives_its_reason_and_no_more(
     assert "No notebook was found" in found["dan"].problems[0]
     assert "is a link" in found["fay"].problems[0]
     assert "gil cannot be read as a zip file" in found["gil"].problems[0]
+
+
+def test_what_a_file_is_called_cannot_steer_a_terminal(
+    exercises: dict[str, Exercise], tmp_path: Path
+) -> None:
+    make_zip(tmp_path / "all" / "eve.zip", {"\x1b[31m\u202e3_01.ipynb": "{", "\x1b]0;.ipynb": "{"})
+    (found,) = discover([tmp_path / "all"], exercises)
+    texts = [found.student, *found.problems, *found.unreadable.values()]
+    assert all(text.isprintable() for text in texts), texts
+
+
+def test_many_broken_files_are_summed_up(exercises: dict[str, Exercise], tmp_path: Path) -> None:
+    make_zip(tmp_path / "eve.zip", {f"{n}x.ipynb": "{" for n in range(500)})
+    (found,) = discover([tmp_path / "eve.zip"], exercises)
+    assert len(found.problems) == 21
+    assert found.problems[-1] == "480 more files cannot be read."
 
 
 def test_a_path_that_is_nothing_is_the_callers_error(

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import time
 from typing import Any
 
 import pytest
@@ -63,6 +64,14 @@ def test_a_file_outside_the_package_is_left_out(make: Any, collect: Any) -> None
     found = collect(make.writes("a", path="turtlesim/package.xml"))
     assert found.files == {}
     assert len(found.notes) == 1
+
+
+def test_a_hostile_notebook_costs_little(make: Any, collect: Any) -> None:
+    start = time.perf_counter()
+    collect(make.writes("\n" * 900_000), *[make.writes(make.stub)] * 3_000)
+    collect(*[make.writes("x" * 10_000, path=f"-a {make.path}")] * 3_000)
+    collect(*[make.cell("%%writefile " + "x y " * 200_000)] * 20)
+    assert time.perf_counter() - start < 10
 
 
 @pytest.mark.parametrize(

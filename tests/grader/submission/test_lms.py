@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from grader.submission.lms import LmsName, lms_name, student_name
+from grader.submission.lms import LmsName, lms_name
 
 
 @pytest.mark.parametrize(
@@ -26,19 +26,3 @@ def test_names_of_downloads(name: str, student: str, number: str, rest: str) -> 
 )
 def test_other_names_are_no_downloads(name: str) -> None:
     assert lms_name(name) is None
-
-
-@pytest.mark.parametrize(
-    ("text", "name"),
-    [
-        (" Ada \n Lovelace ", "Ada Lovelace"),
-        ("a\x1b[31mb", "a [31mb"),
-        ("a\u202eb", "a b"),
-        ("\ud800", "?"),
-        ("", "unnamed"),
-        ("x" * 300, "x" * 100),
-        ("=HYPERLINK()", "=HYPERLINK()"),
-    ],
-)
-def test_names_are_made_fit_for_tables(text: str, name: str) -> None:
-    assert student_name(text) == name

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -78,3 +80,12 @@ def test_a_helper_that_is_imported_comes_along(
     found = submission_from_folder(tmp_path, exercise, {})
     assert set(found.files) == {make.path, "hello_ros/scripts/my_tools.py"}
     assert "or it is not handed in" in found.notes[0]
+
+
+def test_reading_needs_none_of_the_slow_imports() -> None:
+    code = (
+        "import sys, grader.exercises, grader.submission, grader.results;"
+        "print(sorted({'nbformat', 'jsonschema', 'jupytext', 'pytest', 'numpy'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"

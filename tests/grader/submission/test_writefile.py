@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from grader.submission.writefile import written_file
@@ -74,5 +74,6 @@ def test_an_empty_file_is_empty() -> None:
 
 
 @given(st.text())
+@settings(deadline=None)
 def test_no_text_is_too_odd(rest: str) -> None:
     assert written_file(f"%%writefile {rest}") is not None
