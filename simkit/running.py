@@ -30,6 +30,9 @@ class RunningBuiltin:
         self.refusals: list[str] = []
         self.output = ""
 
+    def __repr__(self) -> str:
+        return f"<node {self.name} (built in), {'running' if self.alive else 'ended'}>"
+
     @property
     def name(self) -> str:
         """Resolved name."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 import zlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
@@ -69,6 +70,8 @@ class Simulation:
         self.tf = Buffer()
         self._tf_listener = TransformListener(self._node, self.tf)
         self._closed = False
+        _close_abandoned()
+        weakref.finalize(self, _abandoned.append, self._scripts)
 
     def __enter__(self) -> Simulation:
         return self
@@ -348,6 +351,17 @@ class Simulation:
             return value
         parsed = yaml.safe_load(value) if isinstance(value, str) else value
         return msgs.fill_message(msgs.message_class(type_name), parsed, now=self.now)
+
+
+_abandoned: list[list[ScriptNode]] = []
+
+
+def _close_abandoned() -> None:
+    # A notebook's `sim = Simulation()` drops the one before it: its processes end when the next one begins, and not in the
+    # middle of whatever runs when the garbage is collected.
+    while _abandoned:
+        for script in _abandoned.pop():
+            script.close()
 
 
 def _nanoseconds(seconds: float) -> int:

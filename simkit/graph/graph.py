@@ -45,6 +45,7 @@ class Graph:
         self.topics: dict[str, Topic] = {}
         self.services: dict[str, ServiceServer] = {}
         self.nodes: dict[str, GraphNode] = {}
+        self.reserved_names: set[str] = set()
         self.records: list[LogRecord] = []
         self.screen = screen
 
@@ -74,6 +75,8 @@ class Graph:
         """Register a node; one of the same name is shut down first, as rosmaster does."""
         if not is_legal_name(node.name):
             raise GraphError(f"{node.name!r} is not a legal node name")
+        if node.name in self.reserved_names:
+            raise GraphError(f"the node name {node.name} is taken by the simulation itself")
         older = self.nodes.get(node.name)
         if older is not None:
             self.log(
@@ -133,12 +136,16 @@ class Graph:
             raise UnknownNameError("service", name, self.services)
         self.executor.call_soon(lambda: server.respond(request, caller, reply))
 
-    def topic_types(self) -> dict[str, str]:
-        """Type of each topic in use, sorted by name."""
+    def topic_types(self, *, published: bool = False) -> dict[str, str]:
+        """Type of each topic in use, sorted by name.
+
+        Args:
+            published: Leave out the topics that are only listened to.
+        """
         return {
             name: topic.message_class._type
             for name, topic in sorted(self.topics.items())
-            if topic.in_use
+            if (topic.publishers if published else topic.in_use)
         }
 
     def _remove_service(self, server: ServiceServer) -> None:

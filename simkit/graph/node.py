@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from simkit.graph import names
+from simkit.graph.endpoint import keep_open_ones
 from simkit.graph.log import LogLevel
 from simkit.graph.services import ServiceServer, immediate_responder
 from simkit.graph.topics import Publisher, Subscription, decoding_sink
@@ -26,12 +27,14 @@ class Timer:
         self._executor = executor
         self._period_ns = max(1, period_ns)
         self._callback = callback
+        self.cancelled = False
         self._event: ScheduledEvent = executor.call_at(
             executor.now_ns + self._period_ns, self._fire
         )
 
     def cancel(self) -> None:
         """Never call back again."""
+        self.cancelled = True
         self._event.cancel()
 
     def _fire(self) -> None:
@@ -55,6 +58,9 @@ class Node:
         self._timers: list[Timer] = []
         self._on_shutdown: list[Callable[[], None]] = []
         self.alive = True
+
+    def __repr__(self) -> str:
+        return f"<node {self.name}, {'running' if self.alive else 'ended'}>"
 
     def now(self) -> Time:
         """Virtual time."""
@@ -83,8 +89,7 @@ class Node:
         publisher = self.graph.add_publisher(
             self.resolve(topic), message_class, self.name, latch=latch
         )
-        self.publishers.append(publisher)
-        return publisher
+        return keep_open_ones(publisher, self.publishers)
 
     def subscribe(
         self,
@@ -107,8 +112,7 @@ class Node:
         subscription = self.graph.add_subscription(
             resolved, message_class, self.name, sink, queue_size=queue_size
         )
-        self.subscriptions.append(subscription)
-        return subscription
+        return keep_open_ones(subscription, self.subscriptions)
 
     def advertise_service(
         self, service: str, service_class: Any, handler: Callable[[Any], Message]
@@ -126,13 +130,12 @@ class Node:
             self.name,
             immediate_responder(service_class, handler),
         )
-        self.servers.append(server)
-        return server
+        return keep_open_ones(server, self.servers)
 
     def create_timer(self, period: Duration, callback: Callable[[], None]) -> Timer:
         """Call back every `period` of virtual time, first one period from now."""
         timer = Timer(self.graph.executor, period.to_nsec(), callback)
-        self._timers.append(timer)
+        self._timers = [*(other for other in self._timers if not other.cancelled), timer]
         return timer
 
     def get_param(self, name: str, default: Any = _NO_DEFAULT) -> Any:
@@ -189,9 +192,7 @@ class Node:
 
     def close_endpoints(self) -> None:
         """End this node's topics, services and timers."""
-        for endpoint in [*self.publishers, *self.subscriptions]:
+        for endpoint in (*self.publishers, *self.subscriptions, *self.servers):
             endpoint.unregister()
-        for server in list(self.servers):
-            server.shutdown()
         for timer in self._timers:
             timer.cancel()

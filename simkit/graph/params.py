@@ -74,7 +74,14 @@ class ParameterServer:
         del tree[keys[-1]]
 
     def search(self, namespace: str, name: str) -> str | None:
-        """The nearest `name` seen from a namespace outwards, or None."""
+        """The nearest `name` seen from a namespace outwards, or None; a global name stands for itself.
+
+        Args:
+            namespace: Where to begin, e.g. the resolved name of a node.
+            name: Only its first part has to be found, as in rosmaster.
+        """
+        if name.startswith("/"):
+            return name if self.has(name) else None
         first = _keys(name)[0] if _keys(name) else name
         keys = _keys(namespace)
         for depth in range(len(keys), -1, -1):

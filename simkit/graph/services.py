@@ -9,6 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 from simkit.errors import SimkitError
+from simkit.graph.endpoint import Endpoint
 from simkit.msgs import DeserializationError, Message
 
 Reply = Callable[[bool, bytes], None]
@@ -21,7 +22,7 @@ class ServiceFailed(SimkitError):
     """A service call failed; the text is what the server says."""
 
 
-class ServiceServer:
+class ServiceServer(Endpoint):
     """A node's offer to answer calls of one service."""
 
     def __init__(
@@ -30,17 +31,20 @@ class ServiceServer:
         node_name: str,
         service_class: Any,
         respond: Responder,
-        on_close: Callable[[ServiceServer], None],
+        withdraw: Callable[[ServiceServer], None],
     ) -> None:
+        super().__init__(node_name)
         self.name = name
-        self.node_name = node_name
         self.service_class = service_class
         self.respond = respond
-        self._on_close = on_close
+        self._withdraw = withdraw
 
     def shutdown(self) -> None:
         """Withdraw the offer."""
-        self._on_close(self)
+        self.unregister()
+
+    def _leave(self) -> None:
+        self._withdraw(self)
 
 
 def immediate_responder(service_class: Any, handler: Callable[[Any], Message]) -> Responder:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable
 
+from simkit.graph.endpoint import Endpoint
 from simkit.graph.errors import GraphError
 from simkit.graph.executor import Executor
 from simkit.msgs import Message
@@ -40,7 +41,7 @@ class Topic:
         return bool(self.publishers or self.subscriptions)
 
 
-class Publisher:
+class Publisher(Endpoint):
     """A node's right to speak on a topic.
 
     A latching publisher gives its last message to each later subscriber, as in rospy.
@@ -49,13 +50,12 @@ class Publisher:
     def __init__(
         self, topic: Topic, node_name: str, *, latch: bool, connected: bool = True
     ) -> None:
+        super().__init__(node_name)
         self._topic = topic
         self._connected = connected
         self._sequence = 0
         self._latched: bytes | None = None
-        self.node_name = node_name
         self.latch = latch
-        self.closed = False
         if connected:
             topic.publishers.append(self)
 
@@ -88,7 +88,7 @@ class Publisher:
             )
         if message._has_header:
             self._sequence += 1
-            message.header.seq = self._sequence  # type: ignore[attr-defined]
+            message.header.seq = self._sequence
         self.publish_bytes(message.to_bytes())
 
     def publish_bytes(self, data: bytes) -> None:
@@ -105,14 +105,12 @@ class Publisher:
         if self._latched is not None:
             subscription.push(self._latched, self.node_name)
 
-    def unregister(self) -> None:
-        """Leave the topic."""
-        self.closed = True
-        if self in self._topic.publishers:
+    def _leave(self) -> None:
+        if self._connected:
             self._topic.publishers.remove(self)
 
 
-class Subscription:
+class Subscription(Endpoint):
     """A node's ear on a topic: a queue in front of a sink.
 
     Args:
@@ -132,10 +130,11 @@ class Subscription:
         queue_size: int | None = None,
         connected: bool = True,
     ) -> None:
+        super().__init__(node_name)
         self._topic = topic
+        self._connected = connected
         self._sink = sink
         self._waiting: deque[tuple[bytes, str]] = deque(maxlen=queue_size or None)
-        self.node_name = node_name
         if connected:
             topic.subscriptions.append(self)
             for publisher in topic.publishers:
@@ -156,10 +155,9 @@ class Subscription:
         self._waiting.append((data, caller))
         self._topic.executor.call_soon(self._deliver_one)
 
-    def unregister(self) -> None:
-        """Leave the topic; what waits is dropped."""
+    def _leave(self) -> None:
         self._waiting.clear()
-        if self in self._topic.subscriptions:
+        if self._connected:
             self._topic.subscriptions.remove(self)
 
     def _deliver_one(self) -> None:

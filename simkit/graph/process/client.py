@@ -56,7 +56,6 @@ class _Worker:
             self._scheduler.block()
             self._idle = False
 
-
     def _run_one(self, job: Callable[[], None]) -> None:
         try:
             job()

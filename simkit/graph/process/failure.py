@@ -57,9 +57,9 @@ def stuck(stack: Sequence[tuple[str, int, str]], allowance: float) -> NodeFailur
             f"the script computed for {allowance:g} s without sleeping or waiting; "
             "a loop needs rate.sleep(), rospy.sleep() or `while not rospy.is_shutdown()`"
         ),
-        file=file,
+        file=file[:400] if file else None,
         line=line,
-        function=function,
+        function=function[:200] if function else None,
     )
 
 
@@ -68,6 +68,13 @@ def flooded(limit: int) -> NodeFailure:
     return NodeFailure(
         kind="output",
         text=f"the script printed more than {limit // 1024} KiB and was stopped; print less, or only now and then",
+    )
+
+
+def overwhelmed() -> NodeFailure:
+    """A node for which more waits than it can be given."""
+    return NodeFailure(
+        kind="output", text="more than 64 MiB of answers wait for this node at one instant"
     )
 
 

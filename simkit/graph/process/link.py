@@ -5,14 +5,16 @@ from __future__ import annotations
 import contextlib
 import os
 import re
-import select
 import socket
 import time
 
 from simkit.graph.process import protocol
+from simkit.graph.process.readiness import Source, readable
 from simkit.graph.process.start import StartedProcess
 
-_FRAME_LINE = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)(?: in (?P<function>.+))?$')
+_FRAME_LINE = re.compile(
+    r'^  File "(?P<file>[^"]+)", line (?P<line>[0-9]{1,9})(?: in (?P<function>.+))?$'
+)
 
 
 class Stuck(Exception):
@@ -32,19 +34,24 @@ class NodeLink:
 
     Args:
         process: The started node.
-        allowance: Wall time within which each frame must come [s].
+        allowance: Wall time for one turn of the node [s].
         output_bytes: How much the node may print.
     """
 
     def __init__(self, process: StartedProcess, allowance: float, output_bytes: int) -> None:
         self._process = process
         self._allowance = allowance
+        self._deadline = 0.0
         self._room = output_bytes
         self._frames = protocol.FrameReader()
         self._output_open = True
         self._connection = process.connection
         self._output = process.output
         self.output = bytearray()
+
+    def begin_turn(self) -> None:
+        """From now on the node's allowance runs, however many frames it sends."""
+        self._deadline = time.monotonic() + self._allowance
 
     def send(self, frame: bytes) -> None:
         """Send a frame; a node that does not read in time is stuck."""
@@ -63,15 +70,14 @@ class NodeLink:
             Stuck, Flooded, Ended: There will be none.
             ProtocolError: It is not a frame.
         """
-        deadline = time.monotonic() + self._allowance
         while (frame := self._frames.next_frame()) is None:
-            self._wait(deadline - time.monotonic())
+            self._wait(self._deadline - time.monotonic())
         self.drain()
         return frame
 
     def drain(self) -> None:
         """Collect what the node has printed so far."""
-        while self._output_open and select.select([self._output], [], [], 0)[0]:
+        while self._output_open and readable([self._output], 0):
             self._read_output()
 
     def close(self) -> None:
@@ -98,13 +104,13 @@ class NodeLink:
     def _wait(self, timeout: float) -> None:
         if timeout <= 0:
             raise Stuck
-        watched: list[socket.socket | int] = [self._connection]
+        watched: list[Source] = [self._connection]
         if self._output_open:
             watched.append(self._output)
-        readable, _, _ = select.select(watched, [], [], timeout)
-        if self._output in readable:
+        ready = readable(watched, timeout)
+        if self._output in ready:
             self._read_output()
-        if self._connection in readable:
+        if self._connection in ready:
             try:
                 data = self._connection.recv(262144)
             except OSError as error:
@@ -133,6 +139,7 @@ class NodeLink:
 
 def most_telling_stack(text: str) -> list[tuple[str, int, str]]:
     """Frames of the running thread in faulthandler's text, innermost first."""
+    # The process may write here what it likes: nothing of it is taken at its word but as text of bounded length.
     stacks: list[tuple[bool, list[tuple[str, int, str]]]] = []
     for line in text.splitlines():
         if "hread 0x" in line:
@@ -150,8 +157,7 @@ def _read_for(fd: int, seconds: float) -> str:
     data = b""
     while (left := deadline - time.monotonic()) > 0:
         # The first piece may take a while; the rest follows at once.
-        readable, _, _ = select.select([fd], [], [], min(left, 0.05) if data else left)
-        if not readable:
+        if not readable([fd], min(left, 0.05) if data else left):
             break
         with contextlib.suppress(OSError):
             piece = os.read(fd, 65536)

@@ -19,6 +19,10 @@ from typing import Any
 
 MAX_FRAME = 64 * 1024 * 1024
 """Longest frame that either side accepts [bytes]."""
+MAX_JSON = 8 * 1024 * 1024
+"""Longest JSON body that the graph accepts [bytes]."""
+MAX_DEPTH = 50
+"""Deepest nesting of a JSON body."""
 MAX_NAME = 4096
 """Longest node or topic name in a record [bytes]."""
 NEVER = -1
@@ -79,6 +83,10 @@ class Outbox:
         self._size += _RECORD.size + size
         if self._size > MAX_FRAME:
             raise ProtocolError(f"more than {MAX_FRAME} bytes were published at one instant")
+
+    def has_room(self, size: int) -> bool:
+        """Whether a record with a body of so many bytes still fits, with a little to spare for others."""
+        return self._size + size <= MAX_FRAME - MAX_NAME
 
     def add_json(self, op: Op, value: Any) -> None:
         """Append a record with a JSON body."""
@@ -195,8 +203,32 @@ def unpack_name(body: bytes) -> tuple[str, bytes]:
 
 
 def unpack_json(body: bytes) -> Any:
-    """A record's JSON body."""
+    """A record's JSON body: of bounded size and depth, and with nothing but characters in its texts.
+
+    Raises:
+        ProtocolError: It is not.
+    """
+    if len(body) > MAX_JSON:
+        raise ProtocolError(f"a JSON body of {len(body)} bytes; at most {MAX_JSON} are allowed")
     try:
-        return json.loads(body)
+        value = json.loads(body.decode())
     except (ValueError, RecursionError) as error:
         raise ProtocolError("a record's body is not JSON") from error
+    _require_plain(value, MAX_DEPTH)
+    return value
+
+
+def _require_plain(value: Any, depth: int) -> None:
+    if isinstance(value, str):
+        try:
+            value.encode()  # JSON can spell half a character, which nobody can print
+        except UnicodeEncodeError as error:
+            raise ProtocolError("a text is not Unicode") from error
+    elif isinstance(value, dict | list):
+        if depth == 0:
+            raise ProtocolError(f"a value is nested more than {MAX_DEPTH} times")
+        for item in value:
+            _require_plain(item, depth - 1)
+        if isinstance(value, dict):
+            for item in value.values():
+                _require_plain(item, depth - 1)

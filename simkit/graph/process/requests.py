@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.graph import names
+from simkit.graph.endpoint import keep_open_ones
 from simkit.graph.log import LogLevel
 from simkit.graph.process import protocol
 from simkit.graph.process.protocol import Op, ProtocolError
@@ -21,6 +22,12 @@ MAX_ENDPOINTS = 1000
 """Publishers, subscriptions and services that one script may have."""
 MAX_LOG_TEXT = 10_000
 """Longest line of rosout that a script may say [characters]."""
+MAX_QUEUE = 1_000_000
+"""Longest queue of a subscription [messages]."""
+MAX_KEPT = 64 * 1024 * 1024
+"""How much a script may set in parameters over its life, and how much it may say on rosout [bytes]."""
+LOG_OVERHEAD = 200
+"""What keeping a line of rosout costs besides its text [bytes]."""
 _LAST = (Op.WAIT, Op.ASK, Op.EXIT)
 
 
@@ -34,9 +41,13 @@ class Requests:
         self._publishers: dict[int, Publisher] = {}
         self._subscriptions: dict[int, Subscription] = {}
         self._servers: dict[int, ServiceServer] = {}
-        self._calls: dict[int, Reply] = {}
+        self._calls: dict[int, tuple[Reply, Any]] = {}
         self._next_id = 0
         self._next_call = 0
+        self._initialized = False
+        self._parameter_bytes = 0
+        self._log_bytes = 0
+        self._dropped = False
         self._asked: dict[Op, Callable[[dict[str, Any]], Any]] = {
             Op.INIT_NODE: self._init_node,
             Op.ADVERTISE: self._advertise,
@@ -56,6 +67,12 @@ class Requests:
             Op.FAULT: lambda body: self._node.add_fault(protocol.unpack_json(body)),
         }
 
+    def abandon_calls(self) -> None:
+        """Fail the calls that this node was still to answer."""
+        calls, self._calls = self._calls, {}
+        for reply, _ in calls.values():
+            reply(False, b"transport error completing service call: the server has ended")
+
     def perform(self, frame: bytes) -> tuple[Op, bytes]:
         """Do what a frame asks for; its last record says how the node goes on.
 
@@ -68,12 +85,15 @@ class Requests:
             if op in self._told:
                 self._told[op](body)
             elif op in self._asked:
-                self._answer(op, protocol.unpack_json(body))
+                self._answer(op, body)
             else:
                 raise ProtocolError(f"{op.name} is not for a node to say")
         raise ProtocolError("a frame has no end")
 
-    def _answer(self, op: Op, request: Any) -> None:
+    def _answer(self, op: Op, body: bytes) -> None:
+        request = protocol.unpack_json(body)
+        if op is Op.PARAM:
+            self._parameter_bytes += len(body)
         try:
             reply = self._asked[op](request)
         except SimkitError as error:
@@ -89,14 +109,23 @@ class Requests:
 
     def _init_node(self, request: dict[str, Any]) -> dict[str, Any]:
         node, line = self._node, self._node.command_line
+        if self._initialized:
+            raise ProtocolError("a process is one node only")
         base = line.node_name or str(request["name"])
         if not names.is_legal_node_name(base):
-            return {"error": f"init_node: {base!r} is not a node name: no '/', a letter first"}
+            return {
+                "error": f"init_node: {base!r} is not a node name: letters, digits and _ only, a letter first"
+            }
         if request["anonymous"] and line.node_name is None:
             base = f"{base}_{self._anonymous_number(base)}"
-        node.name = names.join(line.namespace, base)
-        self._remappings = line.resolved_remappings(node.name)
-        self._graph.add_node(node)
+        before, node.name = node.name, names.join(line.namespace, base)
+        try:
+            self._remappings = line.resolved_remappings(node.name)
+            self._graph.add_node(node)
+        except SimkitError:
+            node.name = before
+            raise
+        self._initialized = True
         for key, value in line.private_parameters.items():
             self._graph.params.set(self._resolve("~" + key), value)
         return {"name": node.name, "arguments": list(line.arguments)}
@@ -133,8 +162,7 @@ class Requests:
         publisher = self._graph.add_publisher(
             topic, message_class(request["type"]), self._node.name, latch=bool(request["latch"])
         )
-        self._publishers[number] = publisher
-        self._node.publishers.append(publisher)
+        self._publishers[number] = keep_open_ones(publisher, self._node.publishers)
         return {"id": number, "topic": topic}
 
     def _publish(self, body: bytes) -> None:
@@ -154,27 +182,29 @@ class Requests:
         head = protocol.pack_id(number)
 
         def sink(data: bytes, caller: str) -> None:
-            self._node.outbox.add(Op.DELIVER, head, protocol.pack_name(caller), data)
-            self._node.resume_soon()
+            if not self._node.tell(Op.DELIVER, head, protocol.pack_name(caller), data):
+                self._warn_of_loss(topic)
 
         subscription = self._graph.add_subscription(
             topic,
             message_class(request["type"]),
             self._node.name,
             sink,
-            queue_size=request["queue_size"],
+            queue_size=_queue_size(request["queue_size"]),
         )
-        self._subscriptions[number] = subscription
-        self._node.subscriptions.append(subscription)
+        self._subscriptions[number] = keep_open_ones(subscription, self._node.subscriptions)
         return {"id": number, "topic": topic}
+
+    def _warn_of_loss(self, topic: str) -> None:
+        if self._node.alive and not self._dropped:
+            self._dropped = True
+            text = f"messages on {topic} are lost: too many wait for this node at one instant"
+            self._graph.log(self._node.name, LogLevel.WARN, text)
 
     def _drop(self, table: dict[int, Any], body: bytes) -> None:
         endpoint = table.pop(protocol.unpack_id(body)[0], None)
         if endpoint is not None:
             endpoint.unregister()
-            for endpoints in (self._node.publishers, self._node.subscriptions):
-                if endpoint in endpoints:
-                    endpoints.remove(endpoint)  # type: ignore[attr-defined]
 
     # -- services
 
@@ -186,29 +216,33 @@ class Requests:
 
         def respond(data: bytes, caller: str, reply: Reply) -> None:
             self._next_call += 1
-            self._calls[self._next_call] = reply
+            self._calls[self._next_call] = (reply, kind)
             ids = protocol.pack_id(self._next_call) + protocol.pack_id(number)
-            self._node.outbox.add(Op.SERVE, ids, protocol.pack_name(caller), data)
-            self._node.resume_soon()
+            self._node.tell(Op.SERVE, ids, protocol.pack_name(caller), data)
+            if not self._node.alive:
+                self.abandon_calls()
 
-        server = self._graph.add_service(
-            name, service_class(request["type"]), self._node.name, respond
-        )
-        self._servers[number] = server
-        self._node.servers.append(server)
+        kind = service_class(request["type"])
+        server = self._graph.add_service(name, kind, self._node.name, respond)
+        self._servers[number] = keep_open_ones(server, self._node.servers)
         return {"id": number, "service": name}
 
     def _withdraw_service(self, body: bytes) -> None:
-        server = self._servers.pop(protocol.unpack_id(body)[0], None)
-        if server is not None:
-            server.shutdown()
-            self._node.servers.remove(server)
+        self._drop(self._servers, body)
 
     def _service_answer(self, body: bytes) -> None:
         number, rest = protocol.unpack_id(body)
-        reply = self._calls.pop(number, None)
-        if reply is not None:
-            reply(rest[:1] == b"\x01", rest[1:])
+        if number not in self._calls:
+            return
+        reply, kind = self._calls.pop(number)
+        success, answer = rest[:1] == b"\x01", rest[1:]
+        if success:
+            try:
+                kind._response_class.from_bytes(answer)  # nothing malformed travels on
+            except DeserializationError as error:
+                reply(False, b"the server's response is malformed")
+                raise ProtocolError(f"a response of {kind._type} is malformed: {error}") from error
+        reply(success, answer)
 
     def _call(self, body: bytes) -> None:
         number, rest = protocol.unpack_id(body)
@@ -216,18 +250,26 @@ class Requests:
         head = protocol.pack_id(number)
 
         def reply(success: bool, answer: bytes) -> None:
-            self._node.outbox.add(Op.CALL_RESULT, head, bytes([success]), answer)
+            self._node.tell(Op.CALL_RESULT, head, bytes([success]), answer)
+
+        refusal = self._start_call(written, data, reply)
+        if refusal:
+            self._node.outbox.add(Op.CALL_RESULT, head, b"\0", refusal.encode())
             self._node.resume_soon()
 
-        service = self._resolve(written)
-        if sentence := self._node.permissions.refuse_service(service):
-            self._refuse(sentence)
-            reply(False, sentence.encode())
-            return
+    def _start_call(self, written: str, data: bytes, reply: Reply) -> str:
+        """Call a service; why that cannot be, or an empty text."""
         try:
+            service = self._resolve(written)
+            if sentence := self._node.permissions.refuse_service(service):
+                self._refuse(sentence)
+                return sentence
             self._graph.call_service(service, data, self._node.name, reply)
         except UnknownNameError:
-            reply(False, f"service [{service}] unavailable".encode())
+            return f"service [{service}] unavailable"
+        except SimkitError as error:
+            return str(error)
+        return ""
 
     # -- parameters, rosout, questions
 
@@ -236,7 +278,7 @@ class Requests:
         if do == "names":
             return {"value": params.names()}
         if do == "search":
-            return {"value": params.search(names.namespace_of(self._node.name), request["name"])}
+            return {"value": params.search(self._node.name, request["name"])}
         name = self._resolve(request["name"])
         if do == "has":
             return {"value": params.has(name)}
@@ -245,6 +287,8 @@ class Requests:
         if sentence := self._node.permissions.refuse_parameter(name, self._node.name):
             return self._refuse(sentence)
         if do == "set":
+            if self._parameter_bytes > MAX_KEPT:
+                return {"error": "this node has set more parameters than it may"}
             params.set(name, request["value"])
         elif do == "delete":
             if not params.has(name):
@@ -257,12 +301,20 @@ class Requests:
             level = LogLevel(body[0])
         except (ValueError, IndexError) as error:
             raise ProtocolError("not a log level") from error
-        self._graph.log(self._node.name, level, body[1:].decode("utf-8", "replace")[:MAX_LOG_TEXT])
+        text = body[1:].decode("utf-8", "replace")[:MAX_LOG_TEXT]
+        before = self._log_bytes
+        self._log_bytes += len(text) + LOG_OVERHEAD
+        if self._log_bytes <= MAX_KEPT:
+            self._graph.log(self._node.name, level, text)
+        elif before <= MAX_KEPT:
+            self._graph.log(
+                self._node.name, LogLevel.WARN, "this node says too much; no more is kept"
+            )
 
     def _query(self, request: dict[str, Any]) -> dict[str, Any]:
         what = request["what"]
         if what == "topics":
-            return {"value": sorted(self._graph.topic_types().items())}
+            return {"value": sorted(self._graph.topic_types(published=True).items())}
         if what == "service":
             name = self._resolve(request["name"])
             server = self._graph.services.get(name)
@@ -273,3 +325,11 @@ class Requests:
             endpoint = self._publishers.get(request["id"]) or self._subscriptions.get(request["id"])
             return {"value": endpoint.num_connections if endpoint else 0}
         raise ProtocolError(f"{what!r} is no question")
+
+
+def _queue_size(value: object) -> int | None:
+    if value is None:
+        return None
+    if isinstance(value, int) and 0 < value <= MAX_QUEUE:
+        return value
+    raise ProtocolError(f"{value!r:.80} is no length of a queue")

@@ -162,8 +162,7 @@ class VirtualLock:
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
         """As `threading.Lock.acquire`, in virtual time."""
-        if not self._held:
-            self._held = True
+        if self._take():
             return True
         if not blocking:
             return False
@@ -175,8 +174,10 @@ class VirtualLock:
         self._queue.append(task)
         while self._held and (until is None or scheduler._now_ns() < until):
             scheduler.block(until)
-        if task in self._queue:
-            self._queue.remove(task)
+        self._queue.remove(task)
+        return self._take()
+
+    def _take(self) -> bool:
         if self._held:
             return False
         self._held = True
@@ -261,12 +262,12 @@ def virtualise_threading(scheduler: Scheduler) -> Callable[[], list[Task]]:
     def lock() -> VirtualLock:
         return VirtualLock(scheduler)
 
-    threading.Thread.__init__ = init  # type: ignore[method-assign,assignment]
+    threading.Thread.__init__ = init  # type: ignore[method-assign]
     threading.Thread.start = start  # type: ignore[method-assign]
     threading.Thread.join = join  # type: ignore[method-assign]
     threading.Thread.is_alive = is_alive  # type: ignore[method-assign]
-    threading.Lock = threading._allocate_lock = lock  # type: ignore[assignment,misc,attr-defined]
-    threading.RLock = threading._PyRLock  # type: ignore[attr-defined,misc]
-    queue.SimpleQueue = queue._PySimpleQueue  # type: ignore[attr-defined,misc]
+    threading.Lock = threading._allocate_lock = lock  # type: ignore[assignment,attr-defined,misc]
+    threading.RLock = threading._PyRLock  # type: ignore[attr-defined]
+    queue.SimpleQueue = queue._PySimpleQueue  # type: ignore[attr-defined]
 
     return lambda: [task for thread, task in tasks.items() if not thread.daemon and not task.done]

@@ -6,6 +6,7 @@ for is done by `requests`; what became of it is told by `failure`.
 
 from __future__ import annotations
 
+import codecs
 from dataclasses import replace
 from pathlib import Path
 
@@ -71,22 +72,31 @@ class ScriptNode:
         self._spec = spec
         self._process: StartedProcess | None = None
         self._link: NodeLink | None = None
-        self._output = b""
+        self._acting = False
+        self._output = bytearray()
+        self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
         self._shown = 0
         self._requests = Requests(self)
         self._wake: ScheduledEvent | None = None
         self._resume_event: ScheduledEvent | None = None
         self._instant_ns = -1
         self._resumes = 0
+        self._told_to_end = False
         self._start_event = graph.executor.call_soon(self._start)
+
+    def __repr__(self) -> str:
+        if self.alive:
+            state = "running" if self._process is not None else "starting"
+        else:
+            state = f"ended: {self.end_failure}" if self.end_failure else "ended"
+        return f"<node {self.name} ({self._spec.shown_path}), {state}>"
 
     # -- what others ask and tell
 
     @property
     def output(self) -> str:
         """What the node has printed so far, standard output and error in one."""
-        data = self._output if self._link is None else bytes(self._link.output)
-        return data.decode("utf-8", "replace")
+        return self._output.decode("utf-8", "replace")
 
     @property
     def failure(self) -> NodeFailure | None:
@@ -104,6 +114,7 @@ class ScriptNode:
         if not self.alive:
             return
         self.graph.remove_node(self)
+        self._told_to_end = True
         if self._process is None:
             self._end(kill=True)
             return
@@ -115,10 +126,27 @@ class ScriptNode:
 
     def close(self) -> None:
         """End the process now, virtual time standing still: the simulation is over."""
-        if self.alive and self._process is not None:
+        if self.alive and self._process is not None and not self._acting:
             self.outbox.add(Op.SHUTDOWN, b"the simulation is closed")
             self._resume()
         self._end(kill=True)
+
+    def tell(self, op: Op, *body: bytes) -> bool:
+        """Put a record in the node's outbox and give the node a turn.
+
+        Returns:
+            False for a message that was dropped, since too much waits for the node already, and for one that came too
+            late. An answer cannot be dropped: a node that has no room for it ends.
+        """
+        if not self.alive:
+            return False
+        if not self.outbox.has_room(sum(map(len, body))):
+            if op is not Op.DELIVER:
+                self._fail(failures.overwhelmed())
+            return False
+        self.outbox.add(op, *body)
+        self.resume_soon()
+        return True
 
     def resume_soon(self) -> None:
         """Give the node a turn at this instant, with what waits in its outbox."""
@@ -141,7 +169,10 @@ class ScriptNode:
         except StartError as error:
             self._fail(NodeFailure(kind="start", text=str(error)))
             return
-        self._link = NodeLink(self._process, self._runtime.allowance, self._runtime.limits.output_bytes)
+        self._link = NodeLink(
+            self._process, self._runtime.allowance, self._runtime.limits.output_bytes
+        )
+        self._output = self._link.output
         self._turn(send=False)
 
     def _resume(self) -> None:
@@ -157,6 +188,9 @@ class ScriptNode:
         self._turn(send=True)
 
     def _turn(self, *, send: bool) -> None:
+        self._acting = (
+            True  # stays so if Ctrl-C comes in between: then it has no ear for last words
+        )
         try:
             self._converse(send=send)
         except Stuck:
@@ -175,6 +209,7 @@ class ScriptNode:
     def _converse(self, *, send: bool) -> None:
         """Let the node act until it blocks or ends."""
         assert self._link is not None
+        self._link.begin_turn()
         while True:
             if send:
                 self.outbox.add(Op.RESUME, protocol.pack_time(self.graph.executor.now_ns))
@@ -185,6 +220,7 @@ class ScriptNode:
             if last is Op.ASK:
                 send = True
                 continue
+            self._acting = False
             if last is Op.EXIT:
                 self._leave(protocol.unpack_json(body))
             else:
@@ -192,17 +228,25 @@ class ScriptNode:
             return
 
     def _show_output(self) -> None:
-        text = self.output
-        if self.graph.screen is not None and len(text) > self._shown:
-            self.graph.screen.output(self.name, text[self._shown :])
-        self._shown = len(text)
+        if self.graph.screen is None or self._shown == len(self._output):
+            return
+        text = self._decoder.decode(self._output[self._shown :])
+        self._shown = len(self._output)
+        if text:
+            self.graph.screen.output(self.name, text)
 
     def _sleep_until(self, wake_ns: int) -> None:
-        if wake_ns != NEVER:
-            self._wake = self.graph.executor.call_at(wake_ns, self._resume)
+        if wake_ns == NEVER:
+            return
+        now = self.graph.executor.now_ns
+        if wake_ns <= now and self._resumes >= RESUMES_PER_INSTANT:
+            wake_ns = now + MILLISECOND
+        self._wake = self.graph.executor.call_at(wake_ns, self._resume)
 
     def _leave(self, last_words: object) -> None:
         self._end(kill=False)
+        if self._told_to_end:
+            return  # whatever its waits raised when they were cut short is no failure
         reported = last_words.get("failure") if isinstance(last_words, dict) else None
         self.end_failure = failures.from_exit_record(reported)
         if self.end_failure is not None:
@@ -221,10 +265,9 @@ class ScriptNode:
         if self._link is not None and self._process is not None:
             self.exit_code = self._process.end(kill=kill)
             self._collect_last_output()
-        for endpoint in [*self.publishers, *self.subscriptions]:
+        for endpoint in (*self.publishers, *self.subscriptions, *self.servers):
             endpoint.unregister()
-        for server in list(self.servers):
-            server.shutdown()
+        self._requests.abandon_calls()
         self.graph.remove_node(self)
 
     def _collect_last_output(self) -> None:
@@ -232,8 +275,9 @@ class ScriptNode:
         try:
             self._link.drain()
         except Flooded:
-            self.end_failure = self.end_failure or failures.flooded(self._runtime.limits.output_bytes)
-        self._output = bytes(self._link.output)
+            self.end_failure = self.end_failure or failures.flooded(
+                self._runtime.limits.output_bytes
+            )
         self._link.close()
         self._link = None
         self._show_output()

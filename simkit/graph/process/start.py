@@ -8,7 +8,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import select
 import signal
 import socket
 import subprocess
@@ -20,6 +19,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from simkit.errors import SimkitError
+from simkit.graph.process.readiness import readable
 from simkit.graph.process.spec import StartSpec
 
 HAS_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds") and sys.platform != "darwin"
@@ -219,12 +219,9 @@ class ForkStarter(Starter):
         self._kill()
         said = ""
         if self._process.stderr is not None and not self._process.stderr.closed:
-            readable, _, _ = select.select([self._process.stderr], [], [], 0.5)
-            said = (
-                os.read(self._process.stderr.fileno(), 4000).decode(errors="replace")
-                if readable
-                else ""
-            )
+            fd = self._process.stderr.fileno()
+            if readable([fd], 0.5):
+                said = os.read(fd, 4000).decode(errors="replace")
         last = said.strip().splitlines()[-1:] or ["no word"]
         return f"the parent of the node processes has died (exit code {self._process.returncode}): {last[0]}"
 

@@ -27,15 +27,15 @@ def virtualise_time(read_ns: Callable[[], int], sleep: Callable[[float], None]) 
     for name in ("time", "monotonic", "perf_counter", "process_time", "thread_time"):
         setattr(time, name, seconds)
         setattr(time, name + "_ns", read_ns)
-    time.clock_gettime = lambda _clock: seconds()  # type: ignore[assignment]
-    time.clock_gettime_ns = lambda _clock: read_ns()  # type: ignore[assignment]
+    time.clock_gettime = lambda _clock: seconds()
+    time.clock_gettime_ns = lambda _clock: read_ns()
     time.sleep = sleep  # type: ignore[assignment]
-    time.gmtime = lambda secs=None: _real_gmtime(seconds() if secs is None else secs)  # type: ignore[assignment]
+    time.gmtime = lambda secs=None: _real_gmtime(seconds() if secs is None else secs)
     # Every machine is in UTC, or two of them would print two times.
-    time.localtime = lambda secs=None: _real_gmtime(seconds() if secs is None else secs)  # type: ignore[assignment]
+    time.localtime = lambda secs=None: _real_gmtime(seconds() if secs is None else secs)
     real_strftime, real_ctime = time.strftime, time.ctime
-    time.strftime = lambda form, t=None: real_strftime(form, time.localtime() if t is None else t)  # type: ignore[assignment]
-    time.ctime = lambda secs=None: real_ctime(seconds() if secs is None else secs)  # type: ignore[assignment]
+    time.strftime = lambda form, t=None: real_strftime(form, time.localtime() if t is None else t)
+    time.ctime = lambda secs=None: real_ctime(seconds() if secs is None else secs)
     _virtualise_datetime(seconds)
 
 

@@ -28,6 +28,9 @@ from simkit.graph.process.spec import StartSpec
 
 PRELOAD = (
     "numpy",
+    "numpy.random",
+    "queue",
+    "resource",
     "rospy",
     "tf",
     "geometry_msgs.msg",

@@ -8,7 +8,7 @@ from simkit.nodes.turtlesim.draw_square import DrawSquare
 from simkit.nodes.turtlesim.frame import Frame, TurtleExistsError
 from simkit.nodes.turtlesim.mimic import Mimic
 from simkit.nodes.turtlesim.node import TurtlesimNode
-from simkit.nodes.turtlesim.paper import Paper, Stroke
+from simkit.nodes.turtlesim.paper import Paper, Sheet, Stroke
 from simkit.nodes.turtlesim.pen import Pen
 from simkit.nodes.turtlesim.picture import Picture
 from simkit.nodes.turtlesim.state import PoseSample, Reading, TurtlePose, Velocity
@@ -24,6 +24,7 @@ __all__ = [
     "Picture",
     "PoseSample",
     "Reading",
+    "Sheet",
     "Stroke",
     "Turtle",
     "TurtleExistsError",

@@ -30,6 +30,7 @@ class Frame:
     def __init__(self, background: Rgb = BACKGROUND) -> None:
         self.paper = Paper(background)
         self._turtles: dict[str, Turtle] = {}
+        self._everyone: list[Turtle] = []
         self._name_counter = 0
         self._made = 0
 
@@ -37,6 +38,11 @@ class Frame:
     def turtles(self) -> tuple[Turtle, ...]:
         """The turtles, sorted by name: the order in which they are updated and drawn."""
         return tuple(self._turtles[name] for name in sorted(self._turtles))
+
+    @property
+    def everyone(self) -> tuple[Turtle, ...]:
+        """Every turtle that ever was here, in the order of their births."""
+        return tuple(self._everyone)
 
     def turtle(self, name: str) -> Turtle:
         """The turtle of that name.
@@ -68,6 +74,7 @@ class Frame:
         turtle = Turtle(name, x=x, y=y, theta=theta, number=self._made)
         self._made += 1
         self._turtles[name] = turtle
+        self._everyone.append(turtle)
         return turtle
 
     def kill(self, name: str) -> None:
@@ -76,11 +83,13 @@ class Frame:
         Raises:
             UnknownNameError: There is none of that name.
         """
-        del self._turtles[self.turtle(name).name]
+        self.turtle(name).gone_ns = self.paper.now_ns
+        del self._turtles[name]
 
     def reset(self, background: Rgb) -> Turtle:
         """Remove all turtles and trails, and spawn turtle1 in the centre."""
-        self._turtles.clear()
+        for name in list(self._turtles):
+            self.kill(name)
         self._name_counter = self._made = 0
         self.paper.clear(background)
         return self.spawn()
@@ -94,6 +103,7 @@ class Frame:
         Returns:
             Each turtle and what it gives the outside world.
         """
+        self.paper.now_ns = now_ns
         return [(turtle, turtle.update(now_ns, self.paper)) for turtle in self.turtles]
 
     def _next_name(self) -> str:

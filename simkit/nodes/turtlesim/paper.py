@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import pairwise
 
 from simkit.nodes.turtlesim.canvas import Canvas
@@ -21,6 +21,8 @@ class Stroke:
     """Pen it was drawn with."""
     points: tuple[Point, ...]
     """Corners (x, y up) [m], in the order in which they were visited; at least two."""
+    times_ns: tuple[int, ...]
+    """Virtual time of the update that drew up to each corner [ns]; the first two are equal."""
 
     @property
     def length(self) -> float:
@@ -28,11 +30,32 @@ class Stroke:
         return math.fsum(math.dist(a, b) for a, b in pairwise(self.points))
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sheet:
+    """The paper from one clearing to the next."""
+
+    from_ns: int
+    """Virtual time at which it was laid down [ns]; 0 for the first."""
+    background: Rgb
+    """Colour of the empty paper."""
+    strokes: tuple[Stroke, ...]
+    """Trails on it, in the order in which they began."""
+
+
 @dataclass(slots=True)
 class _OpenStroke:
     turtle: str
     pen: Pen
-    points: list[Point] = field(default_factory=list)
+    points: list[Point]
+    times_ns: list[int]
+
+    def closed(self) -> Stroke:
+        return Stroke(
+            turtle=self.turtle,
+            pen=self.pen,
+            points=tuple(self.points),
+            times_ns=tuple(self.times_ns),
+        )
 
 
 class Paper:
@@ -40,24 +63,34 @@ class Paper:
 
     Args:
         background: Colour of the empty paper.
+
+    Attributes:
+        now_ns: Virtual time of whatever is drawn or cleared next [ns]; the frame keeps it.
     """
 
     def __init__(self, background: Rgb = BACKGROUND) -> None:
         self.background = background
+        self.now_ns = 0
         self._canvas = Canvas(background)
+        self._cleared: list[Sheet] = []
+        self._from_ns = 0
         self._strokes: list[_OpenStroke] = []
         self._last: dict[str, _OpenStroke] = {}
 
     @property
     def strokes(self) -> tuple[Stroke, ...]:
         """All trails since the paper was last cleared, in the order in which they began."""
-        return tuple(
-            Stroke(turtle=stroke.turtle, pen=stroke.pen, points=tuple(stroke.points))
-            for stroke in self._strokes
-        )
+        return tuple(stroke.closed() for stroke in self._strokes)
+
+    @property
+    def sheets(self) -> tuple[Sheet, ...]:
+        """The paper before each clearing and, last, as it is now."""
+        return (*self._cleared, self._sheet())
 
     def clear(self, background: Rgb) -> None:
-        """Forget every trail and paint the paper."""
+        """Take every trail off the paper and paint it."""
+        self._cleared.append(self._sheet())
+        self._from_ns = self.now_ns
         self.background = background
         self._canvas.fill(background)
         self._strokes.clear()
@@ -84,9 +117,13 @@ class Paper:
         begin = (start[0], SIDE - start[1])
         stroke = self._last.get(turtle)
         if stroke is None or stroke.pen != pen or stroke.points[-1] != begin:
-            stroke = self._last[turtle] = _OpenStroke(turtle, pen, [begin])
+            stroke = self._last[turtle] = _OpenStroke(turtle, pen, [begin], [self.now_ns])
             self._strokes.append(stroke)
         stroke.points.append((end[0], SIDE - end[1]))
+        stroke.times_ns.append(self.now_ns)
+
+    def _sheet(self) -> Sheet:
+        return Sheet(from_ns=self._from_ns, background=self.background, strokes=self.strokes)
 
 
 def _pixels(point: Point) -> Point:

@@ -21,18 +21,19 @@ def svg_text(scene: Scene) -> str:
         f"<title>{html.escape(scene.title)}</title>",
         f"<desc>{html.escape(scene.description)}</desc>",
         f'<rect width="{side}" height="{side}" fill="{scene.background}"/>',
-        *(_element(shape) for shape in scene.shapes),
+        *(svg_element(shape) for shape in scene.shapes),
         "</svg>",
     ]
     return "\n".join(lines) + "\n"
 
 
 @singledispatch
-def _element(shape: Shape) -> str:
+def svg_element(shape: Shape) -> str:
+    """One shape as an SVG element."""
     raise NotImplementedError(f"no SVG for {type(shape).__name__}")
 
 
-@_element.register
+@svg_element.register
 def _(shape: Polyline) -> str:
     return (
         f'<polyline points="{_points(shape.points)}" fill="none" stroke="{shape.color}" '
@@ -40,12 +41,12 @@ def _(shape: Polyline) -> str:
     )
 
 
-@_element.register
+@svg_element.register
 def _(shape: Polygon) -> str:
     return f'<polygon points="{_points(shape.points)}" fill="{shape.fill}"/>'
 
 
-@_element.register
+@svg_element.register
 def _(shape: Ellipse) -> str:
     (x, y), (rx, ry) = shape.center, shape.radii
     turn = f" rotate({_number(shape.angle)})" if shape.angle else ""
@@ -55,7 +56,7 @@ def _(shape: Ellipse) -> str:
     )
 
 
-@_element.register
+@svg_element.register
 def _(shape: Text) -> str:
     x, y = shape.center
     return (
@@ -66,10 +67,10 @@ def _(shape: Text) -> str:
     )
 
 
-@_element.register
+@svg_element.register
 def _(shape: Group) -> str:
     x, y = shape.origin
-    inner = "\n".join(_element(part) for part in shape.shapes)
+    inner = "\n".join(svg_element(part) for part in shape.shapes)
     return (
         f'<g transform="translate({_number(x)} {_number(y)}) rotate({_number(shape.angle)})">\n'
         f"<title>{html.escape(shape.title)}</title>\n{inner}\n</g>"

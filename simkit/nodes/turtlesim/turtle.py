@@ -40,6 +40,10 @@ class Turtle:
         y: Upwards [m].
         theta: Heading [rad].
         number: How many turtles its frame made before it; decides its colour in pictures.
+
+    Attributes:
+        history: Its pose after each update that changed it.
+        gone_ns: Virtual time of the last update before it was removed [ns]; None while it is here.
     """
 
     def __init__(self, name: str, *, x: float, y: float, theta: float, number: int = 0) -> None:
@@ -47,6 +51,7 @@ class Turtle:
         self.number = number
         self.pen = Pen()
         self.history: list[PoseSample] = []
+        self.gone_ns: int | None = None
         self._x = float32(x)
         self._y_down = float32(SIDE - float32(y))
         self._theta = float32(theta)

@@ -527,3 +527,15 @@ def test_a_publisher_made_in_every_callback_is_one_publisher(sim, run_script):
     assert node.failure is None
     assert len(node.publishers) == 1
     assert len(record["/head"]) == 2000
+
+
+def test_a_simulation_that_is_dropped_ends_its_nodes_when_the_next_begins(package):
+    package("stay.py", "import rospy\nrospy.init_node('stay')\nrospy.spin()\n")
+    first = Simulation(package_path=[package.folder], screen=None)
+    node = first.rosrun("play", "stay.py")
+    first.run(0.1)
+    assert "running" in repr(node)
+    del first
+    with Simulation(package_path=[package.folder], screen=None):
+        assert not node.alive
+    assert "ended" in repr(node)

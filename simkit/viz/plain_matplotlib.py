@@ -1,0 +1,46 @@
+"""matplotlib without the reader's own settings, dates and versions: the same bytes everywhere."""
+
+from __future__ import annotations
+
+import io
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import matplotlib
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.backends.backend_pdf import FigureCanvasPdf
+from matplotlib.figure import Figure
+
+_NOT_OURS = frozenset({"backend", "backend_fallback", "interactive", "toolbar"})
+
+
+@contextmanager
+def plain_settings() -> Iterator[None]:
+    """matplotlib's defaults for as long as it lasts; figures are made and written inside."""
+    defaults: dict[str, Any] = {
+        key: value for key, value in matplotlib.rcParamsDefault.items() if key not in _NOT_OURS
+    }
+    with matplotlib.rc_context(defaults), warnings.catch_warnings():
+        # A letter that the font lacks is drawn as a box; there is nothing to be done about it.
+        warnings.filterwarnings("ignore", message="Glyph .* missing from font")
+        yield
+
+
+def png_of(figure: Figure, *, title: str) -> bytes:
+    """The figure as a PNG file, in its own size."""
+    buffer = io.BytesIO()
+    canvas = FigureCanvasAgg(figure)
+    # Not savefig: that would follow the reader's own settings, e.g. crop the page.
+    canvas.print_png(buffer, metadata={"Software": None, "Title": title})  # type: ignore[no-untyped-call]
+    return buffer.getvalue()
+
+
+def pdf_of(figure: Figure, *, title: str) -> bytes:
+    """The figure as a PDF file of one page."""
+    buffer = io.BytesIO()
+    nameless = {"CreationDate": None, "Creator": None, "Producer": None}
+    canvas = FigureCanvasPdf(figure)
+    canvas.print_pdf(buffer, metadata={**nameless, "Title": title})  # type: ignore[no-untyped-call]
+    return buffer.getvalue()
