@@ -22,6 +22,9 @@ MILLISECOND = 1_000_000
 FREE_CLOCK_READS = 50
 """So often may a script read the clock at one instant before reading it lets a millisecond pass."""
 
+FREE_QUESTIONS = 100
+"""So many questions may a script put to the graph at one instant before the next lets a millisecond pass."""
+
 _current: NodeClient | None = None
 _preloading = False
 
@@ -79,6 +82,7 @@ class NodeClient:
         self._outbox = Outbox()
         self._now_ns = now_ns
         self._clock_reads = 0
+        self._questions = 0
         self._reply: Any = None
         self._next_call = 0
         self._results: dict[int, tuple[bool, bytes]] = {}
@@ -86,7 +90,8 @@ class NodeClient:
         self._sinks: dict[int, tuple[_Worker, Callable[[bytes, str], None]]] = {}
         self._handlers: dict[int, tuple[_Worker, Callable[[bytes, str], tuple[bool, bytes]]]] = {}
         self.shutdown_reason: str | None = None
-        self.on_shutdown: Callable[[str], None] = lambda _reason: None
+        self.on_shutdown: Callable[[str], None] = self.request_shutdown
+        self._told_to_end = False
         self.scheduler = Scheduler(self._exchange, lambda: self._now_ns)
 
     # -- time
@@ -121,9 +126,14 @@ class NodeClient:
     def ask(self, op: Op, **request: Any) -> Any:
         """Put a request to the graph and have the answer at once.
 
+        A loop that only asks ("is anybody connected?") lets time pass.
+
         Raises:
             Refused: The graph refused, with the reason.
         """
+        self._questions += 1
+        if self._questions > FREE_QUESTIONS and self.scheduler.is_task():
+            self.sleep_until(self._now_ns + MILLISECOND)
         self._outbox.add_json(op, request)
         self._outbox.add(Op.ASK)
         self._turn()
@@ -228,7 +238,7 @@ class NodeClient:
         if op is Op.RESUME:
             time_ns = protocol.unpack_time(body)
             if time_ns != self._now_ns:
-                self._clock_reads = 0
+                self._clock_reads = self._questions = 0
             self._now_ns = time_ns
         elif op is Op.REPLY:
             self._reply = protocol.unpack_json(body)
@@ -270,9 +280,9 @@ class NodeClient:
         self._outbox.add(Op.SERVICE_ANSWER, protocol.pack_id(call), bytes([success]), data)
 
     def _shut_down(self, reason: str) -> None:
-        if self.shutdown_reason is None:
+        if not self._told_to_end:
+            self._told_to_end = True
             self.scheduler.start(lambda: self.on_shutdown(reason), "shutdown hooks")
-            self.request_shutdown(reason)
 
     def request_shutdown(self, reason: str) -> None:
         """End every wait of this node: sleeps return, calls fail."""
