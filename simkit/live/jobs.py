@@ -1,0 +1,76 @@
+"""What a command given in another terminal becomes in the host: something that says more from time to time, and ends."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+from simkit.graph.process import ScriptNode
+from simkit.running import RunningBuiltin
+from simkit.simulation import Simulation
+
+
+class Job(Protocol):
+    """A command at work."""
+
+    exit_code: int | None
+    """None while it works."""
+
+    def poll(self) -> str:
+        """What it has to say since the last time; called after each slice of virtual time."""
+
+    def cancel(self) -> None:
+        """Its terminal is gone, or Ctrl-C was pressed there."""
+
+
+Command = Callable[[Simulation, Sequence[str]], Job]
+"""Begins a command with its arguments; raises SimkitError when it cannot."""
+
+
+class DoneJob:
+    """A command that was finished at once."""
+
+    def __init__(self, text: str, exit_code: int = 0) -> None:
+        self._text = text
+        self.exit_code: int | None = exit_code
+
+    def poll(self) -> str:
+        """The text, once."""
+        text, self._text = self._text, ""
+        return text
+
+    def cancel(self) -> None:
+        """Nothing to end."""
+
+
+class NodeJob:
+    """A node that was started from a terminal: its output and its rosout lines appear there, and it ends with it.
+
+    Args:
+        sim: The simulation.
+        node: The node.
+    """
+
+    def __init__(self, sim: Simulation, node: ScriptNode | RunningBuiltin) -> None:
+        self._sim = sim
+        self._node = node
+        self._shown = 0
+        self._records = len(sim.log)
+        self.exit_code: int | None = None
+
+    def poll(self) -> str:
+        """New output and log lines."""
+        output, records = self._node.output, self._sim.log
+        text = output[self._shown :]
+        self._shown = len(output)
+        for record in records[self._records :]:
+            if record.node == self._node.name:
+                text += f"[{record.level.name}] [{record.time.to_sec():.6f}]: {record.text}\n"
+        self._records = len(records)
+        if not self._node.alive:
+            self.exit_code = self._node.exit_code or (1 if self._node.failure else 0)
+        return text
+
+    def cancel(self) -> None:
+        """Shut the node down."""
+        self._node.shutdown()

@@ -1,0 +1,83 @@
+"""How terminals find the running simulation: a small file with a port and a secret, readable by its owner only.
+
+It stands for what ROS_MASTER_URI is to ROS. The secret keeps other users of the machine, and web pages, away from the port.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import tempfile
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from simkit.errors import SimkitError
+
+FILE_VARIABLE = "SIMKIT_SESSION"
+"""Environment variable with the path of the session file, for several simulations at once."""
+
+
+class SessionError(SimkitError):
+    """No simulation runs, or it does not answer."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Session:
+    """Where a simulation listens."""
+
+    port: int
+    """Port on the loopback interface."""
+    token: str
+    """Secret that a request must carry."""
+    pid: int
+    """Process id of the host."""
+
+
+def session_file() -> Path:
+    """Path of the session file of this user."""
+    if given := os.environ.get(FILE_VARIABLE):
+        return Path(given)
+    user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
+    return Path(tempfile.gettempdir()) / f"simkit-{user}" / "session.json"
+
+
+@contextlib.contextmanager
+def announced(session: Session) -> Iterator[None]:
+    """Publish a session while the body runs.
+
+    Raises:
+        SessionError: The folder for it belongs to somebody else.
+    """
+    path = session_file()
+    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    if hasattr(os, "getuid") and path.parent.stat().st_uid != os.getuid():
+        raise SessionError(
+            f"{path.parent} belongs to another user; set {FILE_VARIABLE} to a file of yours"
+        )
+    new = path.with_suffix(f".{session.pid}")
+    descriptor = os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
+    with os.fdopen(descriptor, "w") as file:
+        json.dump(asdict(session), file)
+    new.replace(path)
+    try:
+        yield
+    finally:
+        if _read(path) == session:
+            path.unlink(missing_ok=True)
+
+
+def find_session() -> Session | None:
+    """The session that is announced, or None."""
+    return _read(session_file())
+
+
+def _read(path: Path) -> Session | None:
+    try:
+        if hasattr(os, "getuid") and path.stat().st_uid != os.getuid():
+            return None
+        value = json.loads(path.read_text())
+        return Session(port=int(value["port"]), token=str(value["token"]), pid=int(value["pid"]))
+    except (OSError, ValueError, KeyError, TypeError):
+        return None

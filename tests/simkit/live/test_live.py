@@ -1,0 +1,119 @@
+"""A simulation in one terminal, used from others."""
+
+import json
+import socket
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+
+import pytest
+
+from simkit.live import Session, SessionError, call, find_session
+
+HOST = """
+    import sys
+    from simkit import Simulation
+    from simkit.live import DoneJob, Host, NodeJob
+
+    def rosrun(sim, argv):
+        return NodeJob(sim, sim.rosrun(*argv))
+
+    sim = Simulation(package_path=[sys.argv[1]], screen=None)
+    commands = {"rosrun": rosrun, "time": lambda sim, argv: DoneJob(f"{sim.now.to_sec():.3f}\\n")}
+    print("up", flush=True)
+    Host(sim, commands).serve(lambda: False)
+    sim.close()
+    """
+
+
+@pytest.fixture
+def host(package, tmp_path, monkeypatch):
+    monkeypatch.setenv("SIMKIT_SESSION", str(tmp_path / "session.json"))
+    process = subprocess.Popen(
+        [sys.executable, "-c", textwrap.dedent(HOST), str(package.folder)],
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stdout.readline() == "up\n"
+    for _ in range(100):
+        if find_session() is not None:
+            break
+        time.sleep(0.05)
+    yield process
+    process.terminate()
+    process.wait()
+    process.stdout.close()
+
+
+def say(*argv):
+    pieces = []
+    return call(find_session(), argv, pieces.append), "".join(pieces)
+
+
+def test_time_goes_at_the_pace_of_the_clock(host):
+    wall, (_, first) = time.monotonic(), say("time")
+    time.sleep(0.5)
+    _, second = say("time")
+    virtual, wall = float(second) - float(first), time.monotonic() - wall
+    assert virtual == pytest.approx(wall, abs=0.2)
+
+
+def test_a_node_speaks_to_its_own_terminal_and_ends_with_it(host, package):
+    package(
+        "once.py",
+        "import rospy\nrospy.init_node('once')\nprint('hello')\nrospy.loginfo('logged')\n",
+    )
+    package("fail.py", "import rospy\nrospy.init_node('fail')\n1 / 0\n")
+    code, text = say("rosrun", "play", "once.py")
+    assert code == 0
+    assert "hello\n" in text
+    assert "logged" in text
+    code, text = say("rosrun", "play", "fail.py")
+    assert code == 1
+    assert "ZeroDivisionError" in text
+
+
+def test_two_terminals_at_once(host, package):
+    package(
+        "tick.py",
+        "import rospy\nrospy.init_node('tick')\nfor i in range(5):\n    rospy.sleep(0.1)\n    print(i)\n",
+    )
+    results = []
+    threads = [
+        threading.Thread(
+            target=lambda n=n: results.append(say("rosrun", "play", "tick.py", f"__name:={n}"))
+        )
+        for n in ("a", "b")
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(timeout=30)
+    assert results == [(0, "0\n1\n2\n3\n4\n")] * 2
+
+
+def test_errors_are_one_sentence(host):
+    with pytest.raises(SessionError, match="did you mean 'rosrun'"):
+        say("rosrn")
+    with pytest.raises(SessionError, match="package"):
+        say("rosrun", "nothing", "x.py")
+
+
+def test_who_does_not_know_the_secret_gets_nothing(host):
+    session = find_session()
+    with socket.create_connection(("127.0.0.1", session.port)) as connection:
+        connection.sendall(json.dumps({"token": "guess", "argv": ["time"]}).encode() + b"\n")
+        assert connection.recv(100) == b""
+    assert say("time")[0] == 0
+
+
+def test_an_ended_simulation_is_named(host):
+    session = find_session()
+    host.terminate()
+    host.wait()
+    with pytest.raises(SessionError, match="has ended"):
+        call(session, ["time"], print)
+    with pytest.raises(SessionError, match="has ended"):
+        call(Session(port=1, token="x", pid=1), ["time"], print)
