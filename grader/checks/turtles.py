@@ -1,4 +1,4 @@
-"""What checks of the turtle exercises ask again and again: where turtlesim has a turtle, and which transforms were heard."""
+"""What checks of the turtle exercises ask again and again: where a turtle is, and which transforms were heard."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from simkit import Simulation
 
 TURTLE_STEP = 0.016
 """Virtual time between two poses of turtlesim [s]."""
+_TF_TOPICS = ("/tf", "/tf_static")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,7 +31,7 @@ class TurtlePose:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeardTransform:
-    """One transform as it was heard on /tf."""
+    """One transform as it was heard on /tf or /tf_static."""
 
     time: float
     """Virtual time at which it was heard [s]."""
@@ -47,7 +48,7 @@ class HeardTransform:
 
 
 class TurtleWatch:
-    """Records the poses of turtlesim and the transforms on /tf from its creation on.
+    """Records the poses of turtlesim, and all transforms, from its creation on.
 
     Args:
         sim: A simulation in which turtlesim runs.
@@ -56,7 +57,7 @@ class TurtleWatch:
 
     def __init__(self, sim: Simulation, turtles: Sequence[str] = ("turtle1",)) -> None:
         topics = {f"/{turtle}/pose": "turtlesim/Pose" for turtle in turtles}
-        self._recording = sim.record({**topics, "/tf": "tf2_msgs/TFMessage"})
+        self._recording = sim.record({**topics, **dict.fromkeys(_TF_TOPICS, "tf2_msgs/TFMessage")})
 
     def poses(self, turtle: str = "turtle1") -> list[TurtlePose]:
         """Every pose that turtlesim published of a turtle."""
@@ -66,12 +67,14 @@ class TurtleWatch:
         ]
 
     def transforms(self) -> list[HeardTransform]:
-        """Every transform that was heard, in order."""
-        return [
+        """Every transform that was heard, moving ones and static ones, in order."""
+        heard = [
             _heard(time.to_sec(), transform)
-            for time, message in _messages(self._recording, "/tf")
+            for topic in _TF_TOPICS
+            for time, message in _messages(self._recording, topic)
             for transform in message.transforms
         ]
+        return sorted(heard, key=lambda transform: transform.time)
 
     def of_frame(self, child: str) -> list[HeardTransform]:
         """The transforms of one child frame."""

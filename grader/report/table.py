@@ -77,8 +77,9 @@ def _reasons(entry: StudentResult, result: ExerciseResult) -> list[str]:
     if not (checks or result.notes):
         return []
     lines = ["", f"{_one_line(entry.student)}, exercise {result.exercise_id}"]
-    if checks and all(check.status is Status.NOT_ATTEMPTED for check in checks):
-        lines += [f"  {line}" for line in checks[0].message.splitlines()]
+    if len({(check.status, check.message) for check in result.checks}) == 1:
+        # One reason for all of them, such as a notebook that cannot be read.
+        lines += [f"  {line}" for line in checks[0].message.splitlines()] if checks else []
     else:
         lines += [line for check in checks for line in check_lines(check)]
     return [*lines, *(f"  note: {_one_line(note)}" for note in result.notes)]

@@ -23,6 +23,8 @@ from grader.checks.values import bounded
 from grader.run.job import Job
 from grader.run.launch import read_framed
 
+MEMORY_BYTES = 4 * 1024**3
+"""Address space of a checker [bytes]: what nodes publish is recorded here, and they may flood."""
 _UNUSED = (
     "cacheprovider debugging doctest faulthandler junitxml legacypath logging pastebin setuponly "
     "setupplan stepwise threadexception tmpdir unittest unraisableexception warnings"
@@ -54,6 +56,7 @@ def work(data: bytes, results: int) -> None:
         results: File descriptor that takes the events.
     """
     job = Job.loads(data)
+    _limit_memory()
     # Beside the process's own standard output: what a check prints is no event.
     with os.fdopen(results, "wb", buffering=0) as pipe:
 
@@ -70,6 +73,14 @@ def work(data: bytes, results: int) -> None:
         )
         run_pytest(context, job.check_files())
         report({"event": "end"})
+
+
+def _limit_memory() -> None:
+    try:
+        import resource
+    except ImportError:  # Windows has no such limits
+        return
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
 
 
 def run_pytest(context: CheckContext, files: list[Path]) -> None:

@@ -12,7 +12,7 @@ from grader.exercises import Exercise
 from grader.results import CheckResult, ExerciseResult, Status
 from grader.run.grade import grade_submission
 from grader.run.gradebook import Gradebook, StudentResult, write_gradebook
-from grader.run.launch import HAS_FORK, Launcher, SpawnLauncher, WarmLauncher
+from grader.run.launch import Launcher, new_launcher
 from grader.run.schedule import Task, Work, grade_all
 from grader.run.store import ResultStore, result_key
 from grader.sandbox import Sandbox
@@ -75,7 +75,7 @@ def grade_class(
     Raises:
         GraderError: The gradebook cannot be written.
     """
-    launcher: Launcher = WarmLauncher() if HAS_FORK else SpawnLauncher()
+    launcher = new_launcher()
     store = ResultStore(run.folder / "gradebook.sqlite")
     work = Work(
         grade=lambda task: _grade(task, run, launcher), on_done=on_done, stop=launcher.close

@@ -270,9 +270,14 @@ class _SpawnedChecker:
         return None
 
 
+def new_launcher() -> Launcher:
+    """The quickest launcher that works here; whoever asks closes it."""
+    return WarmLauncher() if HAS_FORK else SpawnLauncher()
+
+
 @functools.cache
 def default_launcher() -> Launcher:
     """The quickest launcher that works here; it lasts as long as this process."""
-    launcher: Launcher = WarmLauncher() if HAS_FORK else SpawnLauncher()
+    launcher = new_launcher()
     atexit.register(launcher.close)
     return launcher

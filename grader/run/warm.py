@@ -15,6 +15,7 @@ import gc
 import json
 import os
 import select
+import shutil
 import signal
 import socket
 import sys
@@ -75,6 +76,7 @@ def guard(lifeline: socket.socket, results: int, output: int) -> None:
         os.close(fd)
     select.select([lifeline.fileno(), ended], [], [])
     exit_code = end_family(checker)
+    shutil.rmtree(json.loads(job)["folder"], ignore_errors=True)  # the runner may be gone
     with contextlib.suppress(OSError):
         lifeline.sendall(json.dumps({"exit_code": exit_code}).encode())
 

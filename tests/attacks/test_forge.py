@@ -40,7 +40,19 @@ ENDINGS = {
 }
 
 
-@pytest.mark.parametrize("script", ENDINGS.values(), ids=ENDINGS)
+def cases(table, *quick):
+    """The values of a table as parameters; all but the quick ones in the long run only."""
+    return [
+        pytest.param(
+            *(case if isinstance(case, tuple) else (case,)),
+            id=name,
+            marks=() if name in quick else pytest.mark.slow,
+        )
+        for name, case in table.items()
+    ]
+
+
+@pytest.mark.parametrize("script", cases(ENDINGS, "exit at once", "raise something that lies"))
 def test_ending_is_not_passing(arena, script):
     outcome = arena.attack(script)
     assert outcome.result.points == 0
@@ -65,6 +77,7 @@ def test_what_is_written_to_every_open_file_is_no_result(arena):
     assert outcome.result.status is Status.ERROR
 
 
+@pytest.mark.slow
 def test_random_bytes_on_the_line_to_the_graph(arena):
     outcome = arena.attack("""
         import os, random, rospy
@@ -76,6 +89,7 @@ def test_random_bytes_on_the_line_to_the_graph(arena):
     assert outcome.result.points == 0
 
 
+@pytest.mark.slow
 def test_a_result_file_wins_nothing(arena):
     outcome = arena.attack("""
         import os, tempfile
@@ -158,7 +172,7 @@ REACHES = {
 }
 
 
-@pytest.mark.parametrize(("deed", "name"), REACHES.values(), ids=REACHES)
+@pytest.mark.parametrize(("deed", "name"), cases(REACHES, "teleport"))
 def test_reaching_for_others_is_refused_and_told(arena, deed, name):
     outcome = arena.attack(f"""
         import rospy, geometry_msgs.msg, rosgraph_msgs.msg, turtlesim.msg, turtlesim.srv

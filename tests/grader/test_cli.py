@@ -148,3 +148,20 @@ def test_a_run_that_was_killed_goes_on_with_the_same_gradebook(course, run, tmp_
     assert run(*words, tmp_path / "whole", "--jobs", "4")[0] == 0
     killed, whole = (tmp_path / name / "gradebook.json" for name in ("killed", "whole"))
     assert killed.read_bytes() == whole.read_bytes()
+
+
+def test_a_sandbox_can_be_required(course, run, tmp_path, monkeypatch):
+    from grader.sandbox import detect
+
+    detect._strongest.cache_clear()
+    monkeypatch.setattr(detect, "platform_has_sandbox", lambda: False)
+    code, _, err = run("grade", "in", "--out", tmp_path / "a", "--require-sandbox")
+    assert code == 2
+    assert "no sandbox works here" in err
+    assert not (tmp_path / "a" / "gradebook.json").exists()
+    code, out, err = run("grade", "in", "--out", tmp_path / "b")
+    detect._strongest.cache_clear()
+    assert code == 0
+    assert "sandbox: none" in out
+    assert "no sandbox" in err
+    assert read(tmp_path / "b" / "gradebook.json")["sandbox"] == "none"

@@ -40,7 +40,7 @@ def run_node(spec: StartSpec, connection: socket.socket, trace_file: int | None)
         client.now_ns, lambda seconds: client.sleep_until(client.peek_ns() + round(seconds * 1e9))
     )
     seed_everything(spec.seed)
-    os.chdir(spec.working_directory or Path(spec.script).parent)
+    os.chdir(_working_directory(spec))
     apply_limits(spec.limits)
     _drop_privileges(spec.drop_to_uid)
     code, failure = _run_script(spec)
@@ -67,6 +67,13 @@ def _arm_stack_dump(trace_file: int | None) -> None:
     # SIGUSR1 asks a stuck process where it is; C code answers, whatever the Python code is doing.
     if trace_file is not None and hasattr(faulthandler, "register"):
         faulthandler.register(signal.SIGUSR1, file=trace_file, all_threads=True)
+
+
+def _working_directory(spec: StartSpec) -> Path:
+    # In a sandbox the package is read-only: a script that writes `open("log.txt", "w")` does so at its home.
+    folder = Path(spec.working_directory or Path(spec.script).parent)
+    home = Path(os.environ.get("HOME", folder))
+    return folder if os.access(folder, os.W_OK) or not home.is_dir() else home
 
 
 def _drop_privileges(uid: int | None) -> None:

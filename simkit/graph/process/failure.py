@@ -8,8 +8,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-_OUR_FOLDER = str(Path(__file__).resolve().parents[2])
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NodeFailure:
@@ -46,9 +44,14 @@ def from_exit_record(value: Any) -> NodeFailure | None:
 
 
 def stuck(stack: Sequence[tuple[str, int, str]], allowance: float) -> NodeFailure:
-    """A node that neither blocked nor ended."""
+    """A node that neither blocked nor ended; `stack` is innermost first."""
+    # A script is compiled under a relative path; what it calls in a library has an absolute one.
     file, line, function = next(
-        (frame for frame in stack if not frame[0].startswith((_OUR_FOLDER, "<frozen", "/usr/lib"))),
+        (
+            frame
+            for frame in stack
+            if not frame[0].startswith("<") and not Path(frame[0]).is_absolute()
+        ),
         (None, None, None),
     )
     return NodeFailure(
@@ -57,9 +60,9 @@ def stuck(stack: Sequence[tuple[str, int, str]], allowance: float) -> NodeFailur
             f"the script computed for {allowance:g} s without sleeping or waiting; "
             "a loop needs rate.sleep(), rospy.sleep() or `while not rospy.is_shutdown()`"
         ),
-        file=file[:400] if file else None,
+        file=file,
         line=line,
-        function=function[:200] if function else None,
+        function=function,
     )
 
 

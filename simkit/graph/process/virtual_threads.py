@@ -124,8 +124,8 @@ def virtualise_threading(scheduler: Scheduler) -> Callable[[], list[Task]]:
     threading.Thread.start = start  # type: ignore[method-assign]
     threading.Thread.join = join  # type: ignore[method-assign]
     threading.Thread.is_alive = is_alive  # type: ignore[method-assign]
-    threading.Lock = threading._allocate_lock = lock  # type: ignore[assignment,attr-defined,misc]
+    threading.Lock = threading._allocate_lock = lock  # type: ignore[assignment,attr-defined]
     threading.RLock = threading._PyRLock  # type: ignore[attr-defined]
-    queue.SimpleQueue = queue._PySimpleQueue  # type: ignore[attr-defined]
+    queue.SimpleQueue = queue._PySimpleQueue  # type: ignore[attr-defined,misc]
 
     return lambda: [task for thread, task in tasks.items() if not thread.daemon and not task.done]
