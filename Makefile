@@ -45,6 +45,7 @@ lint: $(READY)
 
 build: $(READY)
 	$(BIN)/grader build
+	$(BIN)/python docs/exercise_list.py
 
 bench: $(READY)
 	@for file in benchmarks/bench_*.py; do $(BIN)/python $$file || exit 1; done

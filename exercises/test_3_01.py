@@ -67,7 +67,7 @@ def test_the_frames_are_world_and_turtle1(turtle):
         pairs == [("world", "turtle1")],
         "expected the one transform world -> turtle1, got "
         + ", ".join(f"{parent} -> {child}" for parent, child in pairs),
-        hint="The parent is \"world\"; the child has the turtle's name. Capital letters count.",
+        hint='The parent is "world"; the child has the turtle\'s name. Capital letters count.',
     )
 
 

@@ -44,7 +44,7 @@ class DoneJob:
 
 
 class NodeJob:
-    """A node that was started from a terminal: its output and its rosout lines appear there, and it ends with it.
+    """A node that was started from a terminal: it speaks there, and ends with it.
 
     Args:
         sim: The simulation.

@@ -65,7 +65,7 @@ def _quoted(text: str) -> str:
         return "''"
     if _PLAIN_QUOTED.fullmatch(text):
         return f'"{text}"'
-    import yaml  # type: ignore[import-untyped]  # 20 ms that few messages need
+    import yaml  # 20 ms that few messages need
 
     return str(yaml.dump(text, default_style='"')).rstrip("\n")
 

@@ -60,14 +60,18 @@ def world(package, seed):
         sim.rosrun("play", "broadcaster.py")
         sim.rosrun("play", "broadcaster.py", "_turtle:=turtle2", "__name:=second")
         sim.rosrun("play", "follower.py")
-        sim.rostopic_pub("/turtle1/cmd_vel", "geometry_msgs/Twist", "[[1, 0, 0], [0, 0, 0.5]]", rate=10)
+        sim.rostopic_pub(
+            "/turtle1/cmd_vel", "geometry_msgs/Twist", "[[1, 0, 0], [0, 0, 0.5]]", rate=10
+        )
         sim.run(10)
         return {topic: record.raw(topic) for topic in TOPICS}, [str(line) for line in sim.log]
 
 
 def test_two_runs_are_the_same_bytes_also_under_load(package):
     first = world(package, 7)
-    assert {topic: len(messages) > 50 for topic, messages in first[0].items()} == dict.fromkeys(TOPICS, True)
+    assert {topic: len(messages) > 50 for topic, messages in first[0].items()} == dict.fromkeys(
+        TOPICS, True
+    )
     burners = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(4)]
     try:
         assert world(package, 7) == first

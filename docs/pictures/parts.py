@@ -1,0 +1,79 @@
+"""Drawing: the parts, and who may import whom."""
+
+from __future__ import annotations
+
+from drawing import AMBER, BLUE, GREEN, MUTED, PLAIN, VIOLET, Area, Color, Drawing
+
+GRADER = (
+    (("cli, notebook", "grader ... on the command line, check() in a notebook"),),
+    (("authoring", "build, verify, start, new"), ("report", "terminal, HTML")),
+    (("run", "one checker process for each submission; the gradebook"),),
+    (("checks", "the pytest plugin: fixtures, points, expectations"),),
+    (
+        ("sandbox", "what a node may do"),
+        ("submission, exercises, results", "plain data"),
+    ),
+)
+SIMKIT = (
+    (("cli, live", "simkit ... in a terminal, at the pace of the wall"),),
+    (("simulation", "one clock, one graph, one TF buffer"),),
+    (("viz", "pictures of frames and turtles"),),
+    (("nodes", "turtlesim and the others of the kit"),),
+    (("tools", "command lines of ROS"), ("tf", "a buffer fed by topics")),
+    (("graph", "executor, topics, services, parameters; process"),),
+)
+PURE = ((("msgs", "classes, wire format, time"), ("core of tf", "buffer, rotations")),)
+
+Rows = tuple[tuple[tuple[str, str], ...], ...]
+
+
+def draw() -> str:
+    """The drawing as SVG."""
+    drawing = Drawing(
+        "The parts, and who may import whom",
+        "Layers, from top to bottom. grader: cli and notebook; authoring and report; run; checks; "
+        "sandbox, submission, exercises and results. simkit: cli and live; simulation; viz; nodes; "
+        "tools and tf; graph; msgs and the core of tf. ros1 lives in node processes and reaches the graph by its client.",
+        size=(960, 748),
+    )
+    drawing.words((30, 36), "A part imports only from the layers below it.", size=15, bold=True)
+    drawing.words((930, 36), "Along an arrow: only what it says.", color=MUTED, anchor="end")
+    drawing.region(Area(30, 56, 900, 256), "grader", color=AMBER)
+    _layers(drawing, GRADER, Area(50, 88, 860, 36))
+    drawing.region(Area(30, 360, 560, 364), "simkit, where the simulation runs", color=BLUE)
+    _layers(drawing, SIMKIT, Area(50, 392, 520, 36))
+    _layers(drawing, PURE, Area(50, 664, 520, 42), color=GREEN)
+    drawing.arrow([(310, 312), (310, 358)])
+    drawing.words((322, 340), "public names only", size=12, color=MUTED)
+    _node_side(drawing)
+    return drawing.svg()
+
+
+def _layers(drawing: Drawing, rows: Rows, first: Area, *, color: Color = PLAIN) -> None:
+    """Rows of flat boxes; `first` is where the first row lies."""
+    gap = 8.0
+    for number, row in enumerate(rows):
+        width = (first.width - gap * (len(row) - 1)) / len(row)
+        y = first.y + number * (first.height + gap)
+        for column, (title, note) in enumerate(row):
+            area = Area(first.x + column * (width + gap), y, width, first.height)
+            drawing.layer(area, title, note, color=color)
+
+
+def _node_side(drawing: Drawing) -> None:
+    drawing.region(Area(690, 360, 240, 364), "in each node process", color=VIOLET)
+    drawing.box(
+        Area(708, 394, 204, 56), "a student's script", lines=["real ROS 1 Python"], color=VIOLET
+    )
+    drawing.box(
+        Area(708, 574, 204, 106),
+        "ros1",
+        lines=["rospy, tf,", "turtlesim.msg, std_srvs.srv, ..."],
+    )
+    drawing.arrow([(810, 450), (810, 572)])
+    drawing.words((820, 516), "import rospy", size=12, color=MUTED)
+    drawing.arrow([(708, 630), (572, 630)])
+    drawing.words((640, 604), "client,", size=12, color=MUTED, anchor="middle")
+    drawing.words((640, 620), "protocol", size=12, color=MUTED, anchor="middle")
+    drawing.arrow([(810, 680), (810, 692), (572, 692)])
+    drawing.words((640, 711), "all of it", size=12, color=MUTED, anchor="middle")

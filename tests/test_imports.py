@@ -1,0 +1,301 @@
+"""Who may import whom: the tables are the rules, and every module of simkit and grader is walked."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from simkit import msgs
+
+ROOT = Path(__file__).resolve().parents[1]
+
+# A part is a module or package, without the parts below it that have a row of their own. It may
+# import itself and the parts beside it here, and nothing else of ours.
+MAY_IMPORT = {
+    # pure: no node, no clock
+    "simkit.errors": "",
+    "simkit.msgs": "simkit.errors",
+    "simkit.tf": "simkit.errors simkit.msgs",
+    # the graph, and what lives on it
+    "simkit.graph": "simkit.errors simkit.msgs simkit.graph.process.child",
+    "simkit.tf.broadcaster": "simkit.msgs simkit.tf simkit.graph",
+    "simkit.tf.listener": "simkit.msgs simkit.tf simkit.graph",
+    "simkit.tools": "simkit.errors simkit.msgs simkit.graph simkit.tf",
+    "simkit.nodes": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tools",
+    "simkit.packages": "simkit.errors",
+    "simkit.recording": "simkit.errors simkit.msgs simkit.graph",
+    "simkit.running": "simkit.graph simkit.nodes",
+    "simkit.simulation": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tf.listener "
+    "simkit.nodes simkit.packages simkit.recording simkit.running simkit.viz",
+    # pictures of what is known; a simulation hands them out, lazily
+    "simkit.viz": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tools simkit.nodes "
+    "simkit.recording",
+    # on top: a simulation on the clock of the wall, and the command line
+    "simkit.live": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.nodes simkit.packages "
+    "simkit.recording simkit.running simkit.simulation simkit.tools",
+    "simkit.cli": "simkit",
+    # inside a node process: the node's side of the graph, and the pure parts
+    "simkit.graph.process.child": "simkit.graph simkit.ros1",
+    "simkit.ros1": "simkit.errors simkit.msgs simkit.tf simkit.graph.process.client "
+    "simkit.graph.process.protocol simkit.graph.process.errors",
+    # the grader, from plain data up; what it may use of simkit is below
+    "grader.errors": "",
+    "grader.results": "grader.errors",
+    "grader.exercises": "grader.errors grader.submission",
+    "grader.submission": "grader.errors grader.exercises",
+    "grader.sandbox": "grader.errors",
+    "grader.checks": "grader.errors grader.results grader.exercises grader.submission grader.sandbox",
+    "grader.run": "grader.errors grader.results grader.exercises grader.submission grader.sandbox "
+    "grader.checks",
+    "grader.report": "grader.errors grader.results grader.exercises grader.run",
+    "grader.authoring": "grader.errors grader.results grader.exercises grader.submission "
+    "grader.sandbox grader.run",
+    "grader.notebook": "grader.errors grader.results grader.exercises grader.submission "
+    "grader.sandbox grader.run grader.report",
+    "grader.commands": "grader",
+    "grader.cli": "grader",
+}
+
+# The package's `__init__` hands out the names of its own modules.
+HANDS_OUT = ("simkit", "simkit.tf", "grader")
+
+# grader imports these of simkit, and of the packages only what their `__all__` lists.
+SIMKIT_FOR_GRADER = (
+    "simkit simkit.errors simkit.graph simkit.graph.process simkit.msgs simkit.nodes simkit.tf"
+)
+EXCEPTIONS = {
+    ("grader.run.checker", "simkit.simulation"): "loaded once by the warm parent, before it forks",
+}
+
+# Where a library may be imported: by these modules at once, by those only inside of functions.
+# A library without a row may be imported nowhere.
+LIBRARIES = {
+    "numpy": ("simkit.tf.transformations", "simkit.graph.process.virtual_time"),
+    "yaml": ("simkit.graph.names simkit.simulation simkit.tools", "simkit.msgs.strify"),
+    "matplotlib": ("simkit.nodes.turtlesim.png simkit.viz", ""),
+    "rosbags": ("", "simkit.msgs.generate"),
+    "pytest": ("grader.checks grader.run.checker", ""),
+    "rich": ("", "grader.report"),
+    "IPython": ("", "simkit.viz"),
+    "jupytext": ("", "grader.authoring.source"),
+}
+
+# In a node process the modules of this folder, and those of messages, are there under ROS's names.
+ROS_NAMES = {path.name for path in (ROOT / "simkit/ros1").iterdir()} | set(msgs.packages())
+
+# Clocks and chance: who may know of them, and what for.
+CLOCKS_AND_CHANCE = {
+    "time": {
+        "simkit.graph.process.link": "ends a script that is stuck",
+        "simkit.graph.process.spawn_starter": "gives up on an interpreter that does not start",
+        "simkit.graph.process.zygote": "waits for a process that was killed",
+        "simkit.graph.process.virtual_time": "replaces it in node processes",
+        "simkit.live.host": "keeps a live simulation in step with the wall",
+        "simkit.viz.live_view": "sends pictures to a notebook no oftener than it can take them",
+        "simkit.cli": "keeps it in step too; measures how long a node takes to start",
+        "grader.run.supervise": "ends a checker that is stuck",
+        "grader.run.family": "waits for a process that was killed",
+    },
+    "datetime": {"simkit.graph.process.virtual_time": "replaces it in node processes"},
+    "random": {
+        "simkit.graph.process.virtual_time": "seeds it in node processes",
+        "grader.checks.fixtures": "makes the generator of a check, from its seed",
+    },
+    "secrets": {"simkit.live.host": "makes the password of a live simulation"},
+    "uuid": {},
+}
+
+# What a first import must not load, since it would be slow; name -> (statement, libraries).
+COLD = {
+    "simkit": ("import simkit", "numpy matplotlib yaml rosbags rich pytest jupytext nbformat"),
+    "messages": ("import simkit.msgs", "numpy matplotlib yaml rosbags rich pytest"),
+    "a simulation": (
+        "import simkit; simkit.Simulation(screen=None).run(1)",
+        "numpy matplotlib rosbags rich pytest jupytext nbformat",
+    ),
+    "grader": ("import grader", "numpy matplotlib yaml rich pytest jupytext nbformat simkit.graph"),
+    "check": ("from grader import check", "numpy matplotlib rich pytest jupytext nbformat"),
+    "the command line": ("import grader.cli", "numpy matplotlib rich pytest jupytext nbformat"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Import:
+    """One name that a module imports."""
+
+    module: str
+    target: str
+    """Module that is imported, or that the name is taken from."""
+    name: str
+    """The name that is taken from it; empty if the module itself is imported."""
+    lazy: bool
+    """Whether it stands in a function, or is for type checkers only."""
+    line: int
+
+    def __str__(self) -> str:
+        return (
+            f"{self.module}:{self.line} imports {'.'.join(filter(None, (self.target, self.name)))}"
+        )
+
+
+def module_files() -> dict[str, Path]:
+    files = [*ROOT.glob("simkit/**/*.py"), *ROOT.glob("grader/**/*.py")]
+    return {
+        ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__"): path
+        for path in sorted(files)
+    }
+
+
+FILES = module_files()
+
+
+def imports_of(module: str) -> Iterator[Import]:
+    tree = ast.parse(FILES[module].read_bytes())
+    package = module if FILES[module].name == "__init__.py" else module.rpartition(".")[0]
+    yield from _imports_below(tree, module, package, lazy=False)
+
+
+def _imports_below(node: ast.AST, module: str, package: str, *, lazy: bool) -> Iterator[Import]:
+    for child in ast.iter_child_nodes(node):
+        if isinstance(child, ast.Import):
+            for alias in child.names:
+                yield Import(module, alias.name, "", lazy, child.lineno)
+        elif isinstance(child, ast.ImportFrom):
+            base = child.module or ""
+            if child.level:
+                above = package.split(".")[: len(package.split(".")) - child.level + 1]
+                base = ".".join([*above, *filter(None, [base])])
+            for alias in child.names:
+                inner = f"{base}.{alias.name}"
+                found = (inner, "") if inner in FILES else (base, alias.name)
+                yield Import(module, *found, lazy, child.lineno)
+        is_function = isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
+        is_typing = isinstance(child, ast.If) and "TYPE_CHECKING" in ast.unparse(child.test)
+        yield from _imports_below(child, module, package, lazy=lazy or is_function or is_typing)
+
+
+IMPORTS = [found for module in FILES for found in imports_of(module)]
+OURS = [found for found in IMPORTS if found.target.split(".")[0] in ("simkit", "grader")]
+
+
+def is_in(module: str, packages: str) -> bool:
+    return any(module == name or module.startswith(f"{name}.") for name in packages.split())
+
+
+def part_of(module: str) -> str:
+    rows = [row for row in MAY_IMPORT if is_in(module, row)]
+    return max(rows, key=len, default=module)
+
+
+def test_every_module_belongs_to_a_part():
+    rootless = [m for m in FILES if m not in ("simkit", "grader") and part_of(m) not in MAY_IMPORT]
+    assert not rootless, "give it a row in MAY_IMPORT"
+
+
+def test_no_row_is_for_something_that_is_gone():
+    assert [row for row in MAY_IMPORT if not any(is_in(module, row) for module in FILES)] == []
+    places = [
+        name for at_once, later in LIBRARIES.values() for name in f"{at_once} {later}".split()
+    ]
+    places += [name for modules in CLOCKS_AND_CHANCE.values() for name in modules]
+    assert [name for name in places if not any(is_in(module, name) for module in FILES)] == []
+    used = {(found.module, found.target) for found in OURS}
+    assert [exception for exception in EXCEPTIONS if exception not in used] == []
+
+
+def test_parts_import_only_what_is_below_them():
+    wrong = []
+    for found in OURS:
+        part, target = part_of(found.module), part_of(found.target)
+        own = found.module in HANDS_OUT and is_in(found.target, found.module)
+        same_world = found.module.split(".")[0] == found.target.split(".")[0]
+        if part == target or own or not same_world or found.target in ("simkit", "grader"):
+            continue
+        allowed = MAY_IMPORT.get(part, "").split()
+        if not {target, found.target, found.target.split(".")[0]} & set(allowed):
+            wrong.append(str(found))
+    assert wrong == []
+
+
+def test_simkit_knows_nothing_of_the_grader():
+    assert [
+        str(found)
+        for found in OURS
+        if is_in(found.module, "simkit") and is_in(found.target, "grader")
+    ] == []
+
+
+def test_grader_uses_the_public_names_of_simkit():
+    wrong = []
+    for found in OURS:
+        if is_in(found.module, "simkit") or not is_in(found.target, "simkit"):
+            continue
+        if (found.module, found.target) in EXCEPTIONS:
+            continue
+        names = getattr(importlib.import_module(found.target), "__all__", None)
+        is_public = found.target in SIMKIT_FOR_GRADER.split()
+        if not is_public or (found.name and names is not None and found.name not in names):
+            wrong.append(str(found))
+    assert wrong == []
+
+
+def test_no_private_name_crosses_a_package():
+    wrong = []
+    for found in OURS:
+        home = (
+            found.target
+            if FILES.get(found.target, Path()).name == "__init__.py"
+            else found.target.rpartition(".")[0]
+        )
+        parts = [*found.target.split("."), found.name]
+        is_private = any(part.startswith("_") and not part.startswith("__") for part in parts)
+        if is_private and not is_in(found.module, home):
+            wrong.append(str(found))
+    assert wrong == []
+
+
+def test_nothing_imports_tests_exercises_or_solutions():
+    outside = "tests exercises solutions docs benchmarks work"
+    assert [str(found) for found in IMPORTS if is_in(found.target, outside)] == []
+
+
+def test_libraries_stay_where_they_belong():
+    wrong = []
+    for found in IMPORTS:
+        library = found.target.split(".")[0]
+        if library in sys.stdlib_module_names or library in ("simkit", "grader"):
+            continue
+        if library in ROS_NAMES and is_in(found.module, "simkit.ros1"):
+            continue
+        at_once, later = LIBRARIES.get(library, ("", ""))
+        allowed = f"{at_once} {later}" if found.lazy else at_once
+        if not is_in(found.module, allowed):
+            wrong.append(str(found))
+    assert wrong == []
+
+
+def test_clocks_and_chance_stay_where_they_belong():
+    wrong = [
+        str(found)
+        for found in IMPORTS
+        if found.target in CLOCKS_AND_CHANCE
+        and not is_in(found.module, " ".join(CLOCKS_AND_CHANCE[found.target]))
+    ]
+    assert wrong == []
+
+
+@pytest.mark.parametrize("name", COLD)
+def test_a_first_import_loads_nothing_heavy(name):
+    statement, libraries = COLD[name]
+    program = f"import sys; {statement}; print(*sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    assert sorted(set(libraries.split()) & set(done.stdout.split())) == []

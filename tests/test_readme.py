@@ -1,0 +1,75 @@
+"""What README and the other texts show is so: the program runs, lists and pictures are fresh."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+TEXTS = ["README.md", "CONTRIBUTING.md", "CONVENTIONS.md", "CHANGELOG.md", "docs/architecture.md"]
+PROGRAM_LINES = 15
+
+
+def blocks(language: str) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)
+
+
+def python(*arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, *arguments], cwd=folder, capture_output=True, text=True, check=False
+    )
+
+
+def test_the_program_prints_what_readme_shows_and_draws_its_picture(tmp_path: Path) -> None:
+    (program,), (shown,) = blocks("python"), blocks("text")
+    assert len(program.splitlines()) <= PROGRAM_LINES
+    done = python("-W", "error", "-c", program, folder=tmp_path)
+    assert (done.stdout, done.stderr) == (shown, "")
+    drawn = (tmp_path / "turtles.svg").read_bytes()
+    assert drawn == (ROOT / "docs/pictures/turtles.svg").read_bytes()
+
+
+@pytest.mark.parametrize("script", ["docs/pictures/make_pictures.py", "docs/exercise_list.py"])
+def test_what_is_generated_is_fresh(script: str) -> None:
+    done = python(script, "--check", folder=ROOT)
+    assert (done.stdout, done.stderr, done.returncode) == ("", "", 0)
+
+
+def test_the_list_of_exercises_follows_the_sources(tmp_path: Path) -> None:
+    for name in ("docs", "solutions"):
+        (tmp_path / name).mkdir()
+    source = ROOT / "solutions/3_01_broadcast_a_tf.md"
+    text = source.read_text(encoding="utf-8").replace('id: "3.1"', 'id: "3.9"')
+    (tmp_path / "solutions/3_09_another_one.md").write_text(text, encoding="utf-8")
+    (tmp_path / "README.md").write_text(README, encoding="utf-8")
+    script = tmp_path / "docs/exercise_list.py"
+    script.write_bytes((ROOT / "docs/exercise_list.py").read_bytes())
+    assert python(str(script), "--check", folder=tmp_path).returncode == 1
+    assert python(str(script), folder=tmp_path).returncode == 0
+    written = (tmp_path / "README.md").read_text(encoding="utf-8")
+    assert "| 3.9 | [Broadcast the turtle's pose as a transform]" in written
+    assert "| 3.1 |" not in written
+    assert written.partition("## Who")[2] == README.partition("## Who")[2]
+
+
+@pytest.mark.parametrize("text", TEXTS)
+def test_links_and_pictures_lead_somewhere(text: str) -> None:
+    path = ROOT / text
+    targets = re.findall(r"\]\(([^)#]+)[^)]*\)|src=\"([^\"]+)\"", path.read_text(encoding="utf-8"))
+    local = ["".join(pair) for pair in targets if not "".join(pair).startswith("https://")]
+    assert [target for target in local if not (path.parent / target).exists()] == []
+
+
+@pytest.mark.parametrize("text", TEXTS)
+def test_files_named_in_texts_exist(text: str) -> None:
+    named = re.findall(
+        r"`((?:docs|simkit|grader|tests|solutions|exercises|\.ci)/[\w/.-]+)`",
+        (ROOT / text).read_text(encoding="utf-8"),
+    )
+    made_up = re.compile(r"3_11|<|gradebook")
+    assert [n for n in named if not made_up.search(n) and not (ROOT / n).exists()] == []
