@@ -23,3 +23,10 @@ def __getattr__(name: str) -> Any:
 
         return Simulation
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def load_ipython_extension(ipython: Any) -> None:
+    """What `%load_ext simkit` calls: the lines `%rosrun`, `%rostopic` and their kin."""
+    from simkit.notebook import register
+
+    register(ipython)

@@ -24,11 +24,14 @@ class RunningBuiltin:
         self._node = graph.create_node(name, command_line.resolved_remappings(name))
         for key, value in command_line.private_parameters.items():
             self._node.set_param("~" + key, value)
-        self.program: Any = definition(self._node, list(command_line.arguments))
+        try:
+            self.program: Any = definition(self._node, list(command_line.arguments))
+        except BaseException:
+            self._node.shutdown()  # half a node must not stay on the graph
+            raise
         self.exit_code: int | None = None
         self.failure: NodeFailure | None = None
         self.refusals: list[str] = []
-        self.output = ""
 
     def __repr__(self) -> str:
         return f"<node {self.name} (built in), {'running' if self.alive else 'ended'}>"
@@ -42,6 +45,11 @@ class RunningBuiltin:
     def alive(self) -> bool:
         """Whether it is still on the graph."""
         return self._node.alive
+
+    @property
+    def output(self) -> str:
+        """What the program has printed so far; most print nothing."""
+        return str(getattr(self.program, "output", ""))
 
     def shutdown(self) -> None:
         """Leave the graph."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import weakref
 import zlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -29,12 +30,11 @@ from simkit.nodes import builtin_nodes
 from simkit.packages import PackagePath
 from simkit.recording import Recording
 from simkit.running import RunningBuiltin
-from simkit.tf import Buffer, TransformListener, echo_text
+from simkit.seeing import Seeing
+from simkit.tf import Buffer, TransformListener
 
 if TYPE_CHECKING:
     from types import TracebackType
-
-    from simkit.nodes.turtlesim import TurtlesimNode
 
 EPOCH_NS = 1_600_088_400 * 10**9
 """Virtual time at the start [ns]: 14 September 2020, 13:00 UTC, the hour of the lecture."""
@@ -42,7 +42,7 @@ _DEFAULT_SCREEN = StreamScreen()
 MessageT = TypeVar("MessageT", bound=Message)
 
 
-class Simulation:
+class Simulation(Seeing):
     """A world of nodes on virtual time. Same seed, same bytes.
 
     Args:
@@ -66,12 +66,15 @@ class Simulation:
         self._runtime = runtime
         self._scripts: list[ScriptNode] = []
         self._builtins: list[RunningBuiltin] = []
+        self._views: list[Callable[[], None]] = []
         self._node = self.graph.create_node("/simkit")
+        self.graph.reserved_names.add(self._node.name)
         self.tf = Buffer()
         self._tf_listener = TransformListener(self._node, self.tf)
         self._closed = False
         _close_abandoned()
         weakref.finalize(self, _abandoned.append, self._scripts)
+        _made.append(weakref.ref(self, _made.remove))
 
     def __enter__(self) -> Simulation:
         return self
@@ -90,6 +93,11 @@ class Simulation:
         for script in self._scripts:
             script.close()
 
+    @property
+    def closed(self) -> bool:
+        """Whether it has been closed."""
+        return self._closed
+
     # -- time
 
     @property
@@ -106,17 +114,22 @@ class Simulation:
         self._require_open()
         executor = self.graph.executor
         executor.run_to(executor.now_ns + _nanoseconds(seconds))
+        self._refresh_views()
 
     def run_until(self, predicate: Callable[[], bool], timeout: float) -> bool:
         """Let virtual time pass until `predicate()` holds, at most `timeout` [s]; whether it holds."""
         self._require_open()
         executor = self.graph.executor
-        return executor.run_to(executor.now_ns + _nanoseconds(timeout), predicate)
+        holds = executor.run_to(executor.now_ns + _nanoseconds(timeout), predicate)
+        self._refresh_views()
+        return holds
 
     def step(self) -> bool:
         """Run the next event; False if nothing is left to happen."""
         self._require_open()
-        return self.graph.executor.step()
+        stepped = self.graph.executor.step()
+        self._refresh_views()
+        return stepped
 
     # -- nodes
 
@@ -144,7 +157,9 @@ class Simulation:
         self._require_open()
         command_line = split_command_line(arguments)
         if (package, executable) in builtin_nodes():
-            builtin = RunningBuiltin(self.graph, builtin_nodes()[package, executable], command_line)
+            definition = builtin_nodes()[package, executable]
+            named = definition.named(command_line, self.graph.nodes)
+            builtin = RunningBuiltin(self.graph, definition, named)
             self._builtins.append(builtin)
             return builtin
         script = self._find_script(package, executable)
@@ -204,6 +219,8 @@ class Simulation:
             The node that publishes; `shutdown()` ends it.
         """
         self._require_open()
+        if rate is not None and not rate > 0:
+            raise SimkitError(f"a rate of {rate} Hz is none: give a number above 0")
         message = self._message(type_name, value)
         node = self.graph.create_node(self._free_name("/rostopic"))
         publisher = node.advertise(topic, type(message), latch=rate is None)
@@ -301,26 +318,6 @@ class Simulation:
             raise ServiceFailed(f"service {name}: {data.decode(errors='replace')}")
         return service_class._response_class.from_bytes(data)
 
-    # -- tools
-
-    def tf_echo(self, source: str, target: str, *, precision: int = 3) -> str:
-        """What `rosrun tf tf_echo source target` prints: where `target` is, seen from `source`."""
-        return echo_text(self.tf, source, target, self.now, precision=precision)
-
-    @property
-    def turtlesim(self) -> TurtlesimNode:
-        """The turtlesim that runs here, with `picture()`.
-
-        Raises:
-            SimkitError: None runs.
-        """
-        from simkit.nodes.turtlesim import TurtlesimNode
-
-        for builtin in reversed(self._builtins):
-            if isinstance(builtin.program, TurtlesimNode) and builtin.alive:
-                return builtin.program
-        raise SimkitError("no turtlesim runs: sim.rosrun('turtlesim', 'turtlesim_node')")
-
     # -- private
 
     def _require_open(self) -> None:
@@ -348,9 +345,26 @@ class Simulation:
 
     def _message(self, type_name: str, value: Any) -> Message:
         if isinstance(value, Message):
+            if value._type != type_name:
+                raise SimkitError(f"the message is a {value._type}, not a {type_name}")
             return value
-        parsed = yaml.safe_load(value) if isinstance(value, str) else value
+        try:
+            parsed = yaml.safe_load(value) if isinstance(value, str) else value
+        except yaml.YAMLError as error:
+            raise SimkitError(f"{value!r} is not YAML: {error}") from error
         return msgs.fill_message(msgs.message_class(type_name), parsed, now=self.now)
+
+
+_made: list[weakref.ref[Simulation]] = []
+
+
+def newest_simulation() -> Simulation | None:
+    """The open simulation of this process that was made last: what a line of a notebook acts on."""
+    for made in reversed(_made):
+        sim = made()
+        if sim is not None and not sim.closed:
+            return sim
+    return None
 
 
 _abandoned: list[list[ScriptNode]] = []
@@ -365,6 +379,8 @@ def _close_abandoned() -> None:
 
 
 def _nanoseconds(seconds: float) -> int:
+    if not math.isfinite(seconds) or seconds < 0:
+        raise SimkitError(f"a time of {seconds} s cannot pass: give a number of seconds, 0 or more")
     return round(seconds * 1e9)
 
 

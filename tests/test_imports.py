@@ -32,8 +32,10 @@ MAY_IMPORT = {
     "simkit.packages": "simkit.errors",
     "simkit.recording": "simkit.errors simkit.msgs simkit.graph",
     "simkit.running": "simkit.graph simkit.nodes",
+    "simkit.seeing": "simkit.errors simkit.msgs simkit.tf simkit.nodes simkit.recording simkit.running "
+    "simkit.viz",
     "simkit.simulation": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tf.listener "
-    "simkit.nodes simkit.packages simkit.recording simkit.running simkit.viz",
+    "simkit.nodes simkit.packages simkit.recording simkit.running simkit.seeing",
     # pictures of what is known; a simulation hands them out, lazily
     "simkit.viz": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tools simkit.nodes "
     "simkit.recording",
@@ -41,6 +43,7 @@ MAY_IMPORT = {
     "simkit.live": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.nodes simkit.packages "
     "simkit.recording simkit.running simkit.simulation simkit.tools",
     "simkit.cli": "simkit",
+    "simkit.notebook": "simkit",
     # inside a node process: the node's side of the graph, and the pure parts
     "simkit.graph.process.child": "simkit.graph simkit.ros1",
     "simkit.ros1": "simkit.errors simkit.msgs simkit.tf simkit.graph.process.client "
@@ -83,8 +86,8 @@ LIBRARIES = {
     "rosbags": ("", "simkit.msgs.generate"),
     "pytest": ("grader.checks grader.run.checker", ""),
     "rich": ("", "grader.report"),
-    "IPython": ("", "simkit.viz"),
-    "jupytext": ("", "grader.authoring.source"),
+    "IPython": ("simkit.notebook", "simkit.viz"),
+    "jupytext": ("", "grader.authoring"),
 }
 
 # In a node process the modules of this folder, and those of messages, are there under ROS's names.

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import importlib
-from dataclasses import dataclass
+from collections.abc import Collection
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
+
+from simkit.graph.names import CommandLine, join
 
 if TYPE_CHECKING:
     from simkit.graph import Node
@@ -24,6 +27,24 @@ class BuiltinNode:
     """Python module of its class."""
     class_name: str
     """Its class, made with (node, argv)."""
+    anonymous: bool = False
+    """Whether several may run at once: each gets a number behind its name."""
+    watches: bool = False
+    """Whether it only prints what it sees, until Ctrl-C: a line of a notebook shows it for a moment."""
+
+    def named(self, command_line: CommandLine, taken: Collection[str]) -> CommandLine:
+        """The command line with a free name in it, if this node is anonymous and has none.
+
+        Args:
+            command_line: What the node is started with.
+            taken: Resolved names of the nodes that are up.
+        """
+        if not self.anonymous or command_line.node_name is not None:
+            return command_line
+        number = 1
+        while join(command_line.namespace, f"{self.node_name}_{number}") in taken:
+            number += 1
+        return replace(command_line, node_name=f"{self.node_name}_{number}")
 
     def __call__(self, node: Node, argv: list[str]) -> object:
         """Start the node.
@@ -63,6 +84,56 @@ _BUILTIN = (
         node_name="turtle_mimic",
         module="simkit.nodes.turtlesim.mimic",
         class_name="Mimic",
+    ),
+    BuiltinNode(
+        package="tf",
+        executable="tf_echo",
+        node_name="tf_echo",
+        module="simkit.nodes.tf_tools.tf_echo",
+        class_name="TfEcho",
+        anonymous=True,
+        watches=True,
+    ),
+    BuiltinNode(
+        package="tf",
+        executable="tf_monitor",
+        node_name="tf_monitor",
+        module="simkit.nodes.tf_tools.tf_monitor",
+        class_name="TfMonitor",
+        anonymous=True,
+        watches=True,
+    ),
+    BuiltinNode(
+        package="tf",
+        executable="static_transform_publisher",
+        node_name="static_transform_publisher",
+        module="simkit.nodes.tf_tools.tf_static_publisher",
+        class_name="TfStaticTransformPublisher",
+        anonymous=True,
+    ),
+    BuiltinNode(
+        package="tf2_ros",
+        executable="static_transform_publisher",
+        node_name="static_transform_publisher",
+        module="simkit.nodes.tf_tools.tf2_static_publisher",
+        class_name="Tf2StaticTransformPublisher",
+        anonymous=True,
+    ),
+    BuiltinNode(
+        package="tf2_tools",
+        executable="echo.py",
+        node_name="echo",
+        module="simkit.nodes.tf_tools.tf2_echo",
+        class_name="Tf2Echo",
+        watches=True,
+    ),
+    BuiltinNode(
+        package="rostopic",
+        executable="rostopic",
+        node_name="rostopic",
+        module="simkit.tools.rostopic_program",
+        class_name="RostopicProgram",
+        anonymous=True,
     ),
 )
 

@@ -8,7 +8,7 @@ from typing import Any, Final
 from simkit.msgs import Duration, Time, message_class
 from simkit.tf.buffer_core import DEFAULT_CACHE_TIME, BufferCore
 from simkit.tf.errors import TransformException
-from simkit.tf.hints import hint_for
+from simkit.tf.hints import teach
 from simkit.tf.time_argument import nanoseconds
 from simkit.tf.transform import Transform
 
@@ -20,7 +20,8 @@ class Buffer:
     """Transforms of the last seconds, as messages.
 
     `lookup_transform("a", "b")` is T_ab: it takes coordinates in b to coordinates in a, and is
-    the pose of b seen from a. What it raises carries tf's text, and a hint in `error.hint`.
+    the pose of b seen from a. What it raises carries tf's text, and a hint in `error.hint`, with
+    which its traceback ends.
 
     Args:
         cache_time: How long a moving frame is remembered; 10 s if None.
@@ -88,7 +89,7 @@ class Buffer:
         try:
             found = self.core.lookup(target, source, time=nanoseconds(time))
         except TransformException as error:
-            error.hint = hint_for(error, self.core)
+            teach(error, self.core)
             raise
         return self._message(found, target, source)
 
@@ -124,7 +125,7 @@ class Buffer:
                 fixed=fixed_frame,
             )
         except TransformException as error:
-            error.hint = hint_for(error, self.core)
+            teach(error, self.core)
             raise
         return self._message(found, target_frame, source_frame)
 
@@ -178,7 +179,7 @@ class Buffer:
         try:
             return Time.from_nsec(self.core.latest_common_time(target, source))
         except TransformException as error:
-            error.hint = hint_for(error, self.core)
+            teach(error, self.core)
             raise
 
     def all_frames_as_string(self) -> str:
@@ -219,7 +220,7 @@ class Buffer:
                 fixed=fixed_frame,
             )
         except TransformException as error:
-            error.hint = hint_for(error, self.core)
+            teach(error, self.core)
             raise
 
     def _store(self, transform: Any, authority: str, *, static: bool) -> bool:

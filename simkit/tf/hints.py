@@ -24,6 +24,23 @@ _COMPARED = 200
 "So many names are searched for a near one: whoever broadcasts thousands must not slow a lookup."
 
 
+def teach(error: TransformException, core: BufferCore) -> None:
+    """Give an error its hint, also as a note, which every traceback of Python ends with.
+
+    Args:
+        error: What a lookup raised.
+        core: The buffer that it was raised by, still in the same state.
+    """
+    attach(error, hint_for(error, core))
+
+
+def attach(error: TransformException, hint: str) -> None:
+    """Give an error a hint that is known; an empty one changes nothing."""
+    if hint and hint != error.hint:
+        error.hint = hint
+        error.add_note(f"hint: {hint}")
+
+
 def hint_for(error: TransformException, core: BufferCore) -> str:
     """One or two sentences for a failed lookup; empty if there is nothing to teach.
 
@@ -92,7 +109,7 @@ def _gap(gap: DataGap, core: BufferCore) -> str:
         return (
             f'The newest transform of "{gap.frame}" is {_sec(gap.missing)} s older than the time '
             "you ask for: data always arrives a little later. Ask for rospy.Time(0), the latest, "
-            "or wait with waitForTransform."
+            "or wait: waitForTransform in tf, a timeout in tf2."
         )
     return (
         f'The buffer knows "{gap.frame}" from t = {_sec(gap.oldest)} s to {_sec(gap.newest)} s; '

@@ -11,8 +11,8 @@ from matplotlib import patches
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patheffects import withStroke
 from matplotlib.path import Path
+from matplotlib.patheffects import withStroke
 
 from simkit.viz.drawing import Area, Box, Curve, Drawing, Group, Line, Shape, Text
 from simkit.viz.plain_matplotlib import pdf_of, plain_settings, png_of

@@ -31,7 +31,9 @@ def text_width(text: str, size: float) -> float:
 
 def printable(text: str) -> str:
     """The text without control characters, which no XML file may hold."""
-    return "".join(letter if letter.isprintable() else "\N{REPLACEMENT CHARACTER}" for letter in text)
+    return "".join(
+        letter if letter.isprintable() else "\N{REPLACEMENT CHARACTER}" for letter in text
+    )
 
 
 def shortened(text: str, limit: int) -> str:

@@ -6,6 +6,7 @@ import html
 from functools import singledispatch
 
 from simkit.viz.drawing import SANS, Area, Box, Curve, Drawing, Group, Line, Point, Shape, Text
+from simkit.viz.letters import printable
 
 
 def svg_text(drawing: Drawing) -> str:
@@ -15,8 +16,8 @@ def svg_text(drawing: Drawing) -> str:
         f'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="{width}" height="{height}" '
         f'viewBox="0 0 {width} {height}" font-family="{SANS}" '
         'style="max-width:100%;height:auto">',
-        f"<title>{html.escape(drawing.title)}</title>",
-        f"<desc>{html.escape(drawing.description)}</desc>",
+        f"<title>{_escaped(drawing.title)}</title>",
+        f"<desc>{_escaped(drawing.description)}</desc>",
         f'<rect width="{width}" height="{height}" fill="{drawing.background}"/>',
         *(_element(shape) for shape in drawing.shapes),
         "</svg>",
@@ -75,14 +76,17 @@ def _(shape: Text) -> str:
         looks.append(
             f'stroke="{shape.halo}" stroke-width="3" stroke-linejoin="round" paint-order="stroke"'
         )
-    text = html.escape(shape.text, quote=False)
-    return f'<text x="{number(x)}" y="{number(y)}" {" ".join(looks)}>{text}</text>'
+    return f'<text x="{number(x)}" y="{number(y)}" {" ".join(looks)}>{_escaped(shape.text)}</text>'
 
 
 @_element.register
 def _(shape: Group) -> str:
     inner = "\n".join(_element(part) for part in shape.shapes)
-    return f"<g>\n<title>{html.escape(shape.title)}</title>\n{inner}\n</g>"
+    return f"<g>\n<title>{_escaped(shape.title)}</title>\n{inner}\n</g>"
+
+
+def _escaped(text: str) -> str:
+    return html.escape(printable(text), quote=False)
 
 
 def _pair(point: Point) -> str:
@@ -98,5 +102,3 @@ def _stroke(shape: Line | Curve) -> str:
 
 def _dashes(*, dashed: bool) -> str:
     return ' stroke-dasharray="5 4"' if dashed else ""
-
-

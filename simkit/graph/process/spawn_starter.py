@@ -8,6 +8,7 @@ import signal
 import socket
 import subprocess
 import threading
+import time
 from collections.abc import Mapping, Sequence
 
 from simkit.graph.process.spec import StartSpec
@@ -20,6 +21,9 @@ from simkit.graph.process.starter import (
     python_command,
 )
 
+_LOOK = 0.2
+"""How often to look whether a process that was started still lives [s]."""
+
 
 class SpawnStarter(Starter):
     """Starts each node as a fresh interpreter that connects back over loopback; needs nothing but sockets."""
@@ -30,28 +34,44 @@ class SpawnStarter(Starter):
         self._processes: dict[int, subprocess.Popen[bytes]] = {}
 
     def start(self, spec: StartSpec) -> StartedProcess:
-        """Start an interpreter, hand it the specification, and let it run."""
+        """Start an interpreter, hand it the specification, and let it run.
+
+        Raises:
+            StartError: It does not come to life.
+        """
         with socket.create_server(("127.0.0.1", 0)) as server:
-            server.settimeout(START_TIMEOUT)
+            server.settimeout(_LOOK)
             token = os.urandom(16).hex()
-            port = server.getsockname()[1]
-            process = subprocess.Popen(
-                [*self._prefix, *python_command("simkit.graph.process.spawned", str(port))],
+            process = self._launch(server.getsockname()[1])
+            assert process.stdin is not None
+            assert process.stdout is not None
+            with contextlib.suppress(OSError), process.stdin:  # who died at once is found below
+                process.stdin.write(token.encode() + b"\n" + spec.to_bytes())
+            try:
+                connection = self._accept(server, token, process)
+            except StartError:
+                process.kill()
+                process.wait()
+                process.stdout.close()
+                raise
+        self._processes[process.pid] = process
+        with process.stdout:
+            output = _as_socket(os.dup(process.stdout.fileno()))
+        return StartedProcess(connection, output, None, process.pid, self)
+
+    def _launch(self, port: int) -> subprocess.Popen[bytes]:
+        command = [*self._prefix, *python_command("simkit.graph.process.spawned", str(port))]
+        try:
+            return subprocess.Popen(
+                command,
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,
                 env=self._environment,
                 start_new_session=True,
             )
-            assert process.stdin is not None
-            assert process.stdout is not None
-            with process.stdin:
-                process.stdin.write(token.encode() + b"\n" + spec.to_bytes())
-            connection = self._accept(server, token, process)
-        self._processes[process.pid] = process
-        with process.stdout:
-            output = _as_socket(os.dup(process.stdout.fileno()))
-        return StartedProcess(connection, output, None, process.pid, self)
+        except OSError as error:
+            raise StartError(f"cannot start {command[0]}: {error.strerror}") from error
 
     def signal(self, pid: int, number: int) -> None:
         """Directly."""
@@ -82,12 +102,14 @@ class SpawnStarter(Starter):
         server: socket.socket, token: str, process: subprocess.Popen[bytes]
     ) -> socket.socket:
         # Anybody on this machine can connect to the port: only who knows the token is our node.
+        deadline = time.monotonic() + START_TIMEOUT
         while True:
             try:
                 connection, _ = server.accept()
-            except OSError as error:
-                process.kill()
-                raise StartError("the node process did not start in time") from error
+            except TimeoutError:
+                if process.poll() is not None or time.monotonic() > deadline:
+                    raise StartError(_epitaph(process)) from None
+                continue
             connection.settimeout(START_TIMEOUT)
             with contextlib.suppress(OSError):
                 if connection.recv(32, socket.MSG_WAITALL) == token.encode():
@@ -95,6 +117,15 @@ class SpawnStarter(Starter):
                     connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
                     return connection
             connection.close()
+
+
+def _epitaph(process: subprocess.Popen[bytes]) -> str:
+    if process.returncode is None:
+        return f"the node process did not start within {START_TIMEOUT:g} s"
+    assert process.stdout is not None
+    said = process.stdout.read(4000).decode(errors="replace").strip().splitlines()
+    last = said[-1] if said else "no word"
+    return f"the node process has died at once (exit code {process.returncode}): {last}"
 
 
 def _as_socket(fd: int) -> socket.socket:

@@ -13,10 +13,9 @@ from simkit.nodes.turtlesim.simplify import simplified
 from simkit.nodes.turtlesim.svg import svg_text
 from simkit.nodes.turtlesim.turtle import Turtle
 from simkit.nodes.turtlesim.turtle_shape import turtle_shapes
-from simkit.nodes.turtlesim.window import METRE_PX, SIDE, SIDE_PX, Point, Rgb
+from simkit.nodes.turtlesim.window import SIDE_PX, hex_color, pixel
 
 INVISIBLE_PX = 0.05  # a trail may be moved by so much to save points
-FAR_PX = 1e5  # a teleport may draw further out; nothing is seen there
 LABEL_PX = 13.0
 
 
@@ -69,7 +68,7 @@ def _scene(frame: Frame, *, names: bool) -> Scene:
     visible = [turtle for turtle in frame.turtles if _is_somewhere(turtle)]
     shapes: list[Shape] = [_trail(stroke) for stroke in frame.paper.strokes]
     shapes += [_body(turtle) for turtle in visible]
-    background = _hex(frame.paper.background)
+    background = hex_color(frame.paper.background)
     if names:
         shapes += [_label(turtle, background) for turtle in visible]
     count = len(visible)
@@ -83,15 +82,15 @@ def _scene(frame: Frame, *, names: bool) -> Scene:
 
 
 def _trail(stroke: Stroke) -> Polyline:
-    points = simplified([_pixel(point) for point in stroke.points], INVISIBLE_PX)
-    return Polyline(points=tuple(points), color=_hex(stroke.pen.color), width=stroke.pen.width)
+    points = simplified([pixel(point) for point in stroke.points], INVISIBLE_PX)
+    return Polyline(points=tuple(points), color=hex_color(stroke.pen.color), width=stroke.pen.width)
 
 
 def _body(turtle: Turtle) -> Group:
     pose = turtle.pose
     return Group(
         title=_whereabouts(turtle),
-        origin=_pixel((pose.x, pose.y)),
+        origin=pixel((pose.x, pose.y)),
         angle=-math.degrees(pose.theta),
         shapes=turtle_shapes(turtle.number),
     )
@@ -99,7 +98,7 @@ def _body(turtle: Turtle) -> Group:
 
 def _label(turtle: Turtle, background: str) -> Text:
     pose = turtle.pose
-    x, y = _pixel((pose.x, pose.y))
+    x, y = pixel((pose.x, pose.y))
     name = _printable(turtle.name)
     half = 0.31 * LABEL_PX * len(name) + 4
     below = y + 38
@@ -126,13 +125,3 @@ def _printable(name: str) -> str:
 def _is_somewhere(turtle: Turtle) -> bool:
     pose = turtle.pose
     return all(math.isfinite(value) for value in (pose.x, pose.y, pose.theta))
-
-
-def _pixel(point: Point) -> Point:
-    # Half a pixel more: 0 m and the far wall are the middles of the first and the last pixel.
-    x, y_down = point[0] * METRE_PX + 0.5, (SIDE - point[1]) * METRE_PX + 0.5
-    return (min(max(x, -FAR_PX), FAR_PX), min(max(y_down, -FAR_PX), FAR_PX))
-
-
-def _hex(color: Rgb) -> str:
-    return "#" + bytes(color).hex()

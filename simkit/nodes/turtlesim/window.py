@@ -30,3 +30,17 @@ COMMAND_LIFETIME_NS = 1_000_000_000
 
 BACKGROUND: Rgb = (69, 86, 255)
 """Colour of the window until `~background_r`, `_g` and `_b` say otherwise."""
+
+_FAR_PX = 1e5  # a teleport may draw further out; nothing is seen there
+
+
+def pixel(point: Point) -> Point:
+    """Where a point (x, y up) [m] is in a picture of the window (x, y down) [px]."""
+    # Half a pixel more: 0 m and the far wall are the middles of the first and the last pixel.
+    x, y_down = point[0] * METRE_PX + 0.5, (SIDE - point[1]) * METRE_PX + 0.5
+    return (min(max(x, -_FAR_PX), _FAR_PX), min(max(y_down, -_FAR_PX), _FAR_PX))
+
+
+def hex_color(color: Rgb) -> str:
+    """A colour as `#rrggbb`."""
+    return "#" + bytes(color).hex()

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import atexit
 import sys
-import traceback
 from collections.abc import Callable, Sequence
 from typing import Any
 
 from simkit.graph.process import client
 from simkit.graph.process.client import Refused
+from simkit.graph.process.errors import print_traceback
 from simkit.graph.process.protocol import Op
 
 from .exceptions import ROSException, ROSInitException, ROSInterruptException
@@ -23,7 +23,7 @@ class _State:
         self.init_arguments: tuple[Any, ...] | None = None
         self.waiting: list[Callable[[], None]] = []
         self.hooks: list[Callable[[], object]] = []
-        self.hooks_ran = False
+        self.ending = False
 
 
 _state = _State()
@@ -79,7 +79,7 @@ def init_node(
         from . import logs
 
         logs.set_level(log_level)
-    client.current().on_shutdown = _run_hooks
+    client.current().on_shutdown = signal_shutdown
     atexit.register(lambda: signal_shutdown("atexit"))
     waiting, _state.waiting = _state.waiting, []
     for register in waiting:
@@ -118,25 +118,34 @@ def is_shutdown() -> bool:
 
 
 def is_shutdown_requested() -> bool:
-    """Whether a shutdown has been requested."""
-    return client.current().shutdown_reason is not None
+    """Whether a shutdown has been requested; hooks may still be running."""
+    return _state.ending or client.current().shutdown_reason is not None
 
 
 def signal_shutdown(reason: object) -> None:
-    """End the node: waits are interrupted, shutdown hooks run."""
+    """End the node: shutdown hooks run, and can still sleep and publish; then every wait is interrupted."""
+    if _state.ending:
+        return
+    _state.ending = True
+    for hook in _state.hooks:
+        _run_hook(hook)
     client.current().request_shutdown(str(reason))
-    _run_hooks(str(reason))
 
 
 def on_shutdown(hook: Callable[[], object]) -> None:
-    """Call `hook` when the node ends.
+    """Call `hook` when the node ends; at once if it has ended.
 
     Raises:
         TypeError: It cannot be called.
     """
     if not callable(hook):
-        raise TypeError(f"shutdown hook must be a function or callable object: {type(hook)}")
-    _state.hooks.append(hook)
+        raise TypeError(
+            f"shutdown hook [{hook}] must be a function or callable object: {type(hook)}"
+        )
+    if client.current().shutdown_reason is not None:
+        hook()
+    else:
+        _state.hooks.append(hook)
 
 
 def spin() -> None:
@@ -152,9 +161,9 @@ def spin() -> None:
         line.scheduler.block()
 
 
-def interrupted() -> ROSInterruptException:
+def interrupted(text: str = "rospy shutdown") -> ROSInterruptException:
     """What a wait raises that a shutdown ends."""
-    return ROSInterruptException("ROS shutdown request")
+    return ROSInterruptException(text)
 
 
 def get_name() -> str:
@@ -192,9 +201,10 @@ def remap_name(name: str) -> str:
 
 
 def get_published_topics(namespace: str = "/") -> list[list[str]]:
-    """Pairs of topic and type under a namespace."""
+    """Pairs of topic and type of what is published under a namespace."""
     topics = client.current().ask(Op.QUERY, what="topics")["value"]
-    return [[name, kind] for name, kind in topics if name.startswith(namespace)]
+    prefix = resolve_name(namespace).rstrip("/") + "/"
+    return [[name, kind] for name, kind in topics if name.startswith(prefix)]
 
 
 def myargv(argv: Sequence[str] | None = None) -> list[str]:
@@ -202,13 +212,9 @@ def myargv(argv: Sequence[str] | None = None) -> list[str]:
     return [argument for argument in (sys.argv if argv is None else argv) if ":=" not in argument]
 
 
-def _run_hooks(_reason: str) -> None:
-    if _state.hooks_ran:
-        return
-    _state.hooks_ran = True
-    for hook in _state.hooks:
-        try:
-            hook()
-        except Exception as error:  # a hook's fault must not keep the others from running
-            client.current().report_fault(error)
-            traceback.print_exc()
+def _run_hook(hook: Callable[[], object]) -> None:
+    try:
+        hook()
+    except BaseException as error:  # a hook's fault must not keep the others from running
+        client.current().report_fault(error)
+        print_traceback(error, sys.stderr)

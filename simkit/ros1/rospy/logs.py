@@ -10,6 +10,8 @@ from typing import Any
 from simkit.graph.process import client
 from simkit.graph.process.errors import print_traceback
 
+from .exceptions import ROSInterruptException
+
 DEBUG, INFO, WARN, ERROR, FATAL = 1, 2, 4, 8, 16
 _threshold = INFO
 _last_said: dict[tuple[Any, ...], tuple[int, str]] = {}
@@ -26,12 +28,22 @@ def _say(level: int, msg: object, args: tuple[Any, ...]) -> None:
         return
     text = str(msg)
     if args:
-        text = text % (args[0] if len(args) == 1 and isinstance(args[0], dict) else args)
+        try:
+            text = text % (args[0] if len(args) == 1 and isinstance(args[0], dict) else args)
+        except (TypeError, ValueError, KeyError) as error:
+            # Python's logging, on which rospy stands, does not let a wrong format end the program.
+            place = sys._getframe(2)
+            where = f'  File "{place.f_code.co_filename}", line {place.f_lineno}'
+            print(
+                f"--- Logging error ---\n{where}\n{type(error).__name__}: {error}", file=sys.stderr
+            )
+            return
     client.current().log(level, text)
 
 
 def _plain(level: int) -> Callable[..., None]:
     def log(msg: object, *args: Any, **_options: Any) -> None:
+        """Say a line on rosout; `%` arguments may follow."""
         _say(level, msg, args)
 
     return log
@@ -45,9 +57,10 @@ def _place() -> tuple[Any, ...]:
 
 def _throttled(level: int) -> Callable[..., None]:
     def log(period: float, msg: object, *args: Any, **_options: Any) -> None:
+        """Say a line on rosout, at most once in `period` [s] from one place of the script."""
         key, now = (_place(), level), client.current().peek_ns()
         last = _last_said.get(key)
-        if last is None or now - last[0] >= round(period * 1e9):
+        if last is None or now - last[0] > round(period * 1e9):
             _last_said[key] = (now, "")
             _say(level, msg, args)
 
@@ -56,9 +69,10 @@ def _throttled(level: int) -> Callable[..., None]:
 
 def _throttled_identical(level: int) -> Callable[..., None]:
     def log(period: float, msg: object, *args: Any, **_options: Any) -> None:
+        """Say a line on rosout; the same text again only after `period` [s]."""
         key, now = (_place(), level, "identical"), client.current().peek_ns()
         last = _last_said.get(key)
-        if last is None or last[1] != str(msg) or now - last[0] >= round(period * 1e9):
+        if last is None or last[1] != str(msg) or now - last[0] > round(period * 1e9):
             _last_said[key] = (now, str(msg))
             _say(level, msg, args)
 
@@ -67,6 +81,7 @@ def _throttled_identical(level: int) -> Callable[..., None]:
 
 def _once(level: int) -> Callable[..., None]:
     def log(msg: object, *args: Any, **_options: Any) -> None:
+        """Say a line on rosout the first time only."""
         key = (_place(), level, "once")
         if key not in _last_said:
             _last_said[key] = (0, "")
@@ -94,6 +109,8 @@ logdebug_once, loginfo_once, logwarn_once, logerr_once, logfatal_once = map(
 
 def report_bad_callback(callback: object, error: BaseException) -> None:
     """Say that a callback raised, as rospy does, and let the node go on."""
+    if isinstance(error, ROSInterruptException) and client.current().shutdown_reason is not None:
+        return  # the shutdown ended its wait: no fault
     stream = io.StringIO()
     print_traceback(error, stream)
     client.current().log(ERROR, f"bad callback: {callback}\n{stream.getvalue()}")

@@ -6,11 +6,13 @@ from typing import Any
 
 from simkit.graph.process import client
 from simkit.graph.process.client import Refused
-from simkit.graph.process.protocol import Op
+from simkit.graph.process.protocol import MAX_DEPTH, Op
 
 from .exceptions import ROSException
 
 _NO_DEFAULT = object()
+_INT_LIMIT = 2**31
+"""XML-RPC, which carries parameters in ROS, has 32 bits for an integer."""
 
 
 def _ask(do: str, name: str = "", value: Any = None) -> Any:
@@ -18,10 +20,30 @@ def _ask(do: str, name: str = "", value: Any = None) -> Any:
         return client.current().ask(Op.PARAM, do=do, name=name, value=value)
     except Refused as error:
         raise ROSException(str(error)) from None
-    except TypeError:
-        raise ROSException(
-            f"a parameter cannot hold {value!r}: numbers, strings, lists and dicts only"
-        ) from None
+
+
+def _storable(value: Any, depth: int = MAX_DEPTH - 2) -> Any:
+    """`value` as plain data; what XML-RPC cannot carry is refused as it would be there."""
+    if depth == 0:
+        raise TypeError(f"a parameter cannot be nested more than {MAX_DEPTH - 2} times")
+    if isinstance(value, bool | str):
+        return value
+    if isinstance(value, int):
+        if not -_INT_LIMIT <= value < _INT_LIMIT:
+            raise OverflowError(f"int exceeds XML-RPC limits: {value}")
+        return value
+    if isinstance(value, float):
+        return float(value)
+    if isinstance(value, list | tuple):
+        return [_storable(item, depth - 1) for item in value]
+    if isinstance(value, dict):
+        if not all(isinstance(key, str) for key in value):
+            raise TypeError(f"dictionary key must be string: {list(value)}")
+        return {key: _storable(item, depth - 1) for key, item in value.items()}
+    raise TypeError(
+        f"cannot marshal {'None' if value is None else type(value)} objects: a parameter holds "
+        "numbers, strings, booleans, lists and dicts"
+    )
 
 
 def get_param(param_name: str, default: Any = _NO_DEFAULT) -> Any:
@@ -44,8 +66,13 @@ def get_param_cached(param_name: str, default: Any = _NO_DEFAULT) -> Any:
 
 
 def set_param(param_name: str, param_value: Any) -> None:
-    """Set a parameter."""
-    _ask("set", param_name, param_value)
+    """Set a parameter.
+
+    Raises:
+        TypeError: A parameter cannot hold such a value.
+        OverflowError: An integer has more than 32 bits.
+    """
+    _ask("set", param_name, _storable(param_value))
 
 
 def has_param(param_name: str) -> bool:

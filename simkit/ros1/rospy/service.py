@@ -10,7 +10,7 @@ from simkit.graph.process import client
 from simkit.graph.process.client import Refused
 from simkit.graph.process.errors import print_traceback
 from simkit.graph.process.protocol import Op
-from simkit.msgs import DeserializationError, Message, SerializationError
+from simkit.msgs import DeserializationError, Duration, Message
 
 from .core import interrupted, require_init, resolve_name, spin, when_initialized
 from .exceptions import ROSException
@@ -81,29 +81,41 @@ class Service:
             return False, f"cannot read the request: {error}".encode()
         request._connection_header = {"callerid": caller, "service": self.name}
         try:
-            return self._answer(self.handler(request))
+            response = as_response(self.handler(request), self.service_class._response_class)
+            return True, response.to_bytes()
+        except ServiceException as error:
+            return False, f"service cannot process request: {error}".encode()
         except Exception as error:
-            return False, self._explain(error)
+            self._report(error)
+            return False, f"error processing request: {error}".encode()
 
-    def _answer(self, response: Any) -> tuple[bool, bytes]:
-        response_class = self.service_class._response_class
-        if response is None:
-            return False, b"service cannot process request: service handler returned None"
-        if not isinstance(response, response_class):
-            if isinstance(response, dict):
-                response = response_class(**response)
-            elif isinstance(response, list | tuple):
-                response = response_class(*response)
-            else:
-                response = response_class(response)
-        return True, response.to_bytes()
-
-    def _explain(self, error: Exception) -> bytes:
+    def _report(self, error: Exception) -> None:
+        if self.error_handler is not None:
+            self.error_handler(error, type(error), error, error.__traceback__)
+            return
         stream = io.StringIO()
         print_traceback(error, stream)
         logerr(f"Error processing request: {error}\n{stream.getvalue()}")
         client.current().report_fault(error)
-        return f"error processing request: {error}".encode()
+
+
+def as_response(value: Any, response_class: Any) -> Any:
+    """The response that a handler means by what it returned.
+
+    Raises:
+        ServiceException: It means none.
+    """
+    if isinstance(value, response_class):
+        return value
+    if value is None:
+        raise ServiceException("service handler returned None")
+    try:
+        if isinstance(value, dict):
+            return response_class(**value)
+        return response_class(*value) if type(value) in (list, tuple) else response_class(value)
+    except (AttributeError, TypeError) as error:
+        many = "wrong number of values" if type(value) in (list, tuple) else "invalid value"
+        raise ServiceException(f"handler returned {many}: {error}") from None
 
 
 class ServiceProxy:
@@ -142,36 +154,51 @@ class ServiceProxy:
 
         Raises:
             ServiceException: The server refused, is gone, or is not there.
+            ROSInterruptException: The node is shut down.
+            SerializationError: A field of the request has the wrong type.
         """
-        try:
-            request: Message = as_message(self.request_class, args, kwds)
-            data = request.to_bytes()
-        except SerializationError as error:
-            raise ServiceException(f"unable to transform request: {error}") from None
+        line = client.current()
+        request: Message = as_message(self.request_class, args, kwds)
+        data = request.to_bytes()
+        name = self._find_server()
+        success, answer = line.call_service(self.name, data)
+        if success:
+            return self.response_class.from_bytes(answer)
+        if line.shutdown_reason is not None:
+            raise interrupted("node shutdown interrupted service call")
+        if answer.startswith(b"transport error"):
+            raise ServiceException(answer.decode())
+        raise ServiceException(f"service [{name}] responded with an error: {answer!r}")
+
+    def _find_server(self) -> str:
         offered = client.current().ask(Op.QUERY, what="service", name=self.name)
-        if offered["value"] is None:
-            raise ServiceException("service [{}] unavailable".format(offered["name"]))
-        success, answer = client.current().call_service(self.name, data)
-        if not success:
+        name, kind = str(offered["name"]), offered["value"]
+        if kind is None:
+            raise ServiceException(f"service [{name}] unavailable")
+        if kind != self.service_class._type:
             raise ServiceException(
-                f"service [{offered['name']}] responded with an error: {answer!r}"
+                f"unable to connect to service: md5sums do not match: {name} is a {kind}, "
+                f"not a {self.service_class._type}"
             )
-        return self.response_class.from_bytes(answer)
+        return name
 
     def close(self) -> None:
         """Nothing to close."""
 
 
-def wait_for_service(service: str, timeout: float | Any | None = None) -> None:
+def wait_for_service(service: str, timeout: float | Duration | None = None) -> None:
     """Block until a service is offered.
 
     Raises:
         ROSException: It was not offered within `timeout` [s].
         ROSInterruptException: The node is shut down.
+        ValueError: The timeout is zero.
     """
     require_init("rospy.wait_for_service")
+    if timeout == 0.0:
+        raise ValueError("timeout must be non-zero")
     line = client.current()
-    seconds = timeout.to_sec() if hasattr(timeout, "to_sec") else timeout
+    seconds = timeout.to_sec() if isinstance(timeout, Duration) else timeout
     until = None if seconds is None else line.peek_ns() + round(seconds * 1e9)
     while line.ask(Op.QUERY, what="service", name=service)["value"] is None:
         if line.shutdown_reason is not None:

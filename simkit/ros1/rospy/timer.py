@@ -8,7 +8,7 @@ import simkit.msgs
 from simkit.graph.process import client
 
 from .core import interrupted, require_init
-from .rostime import Duration, Time, get_rostime
+from .rostime import Duration, get_rostime
 
 
 def sleep(duration: float | simkit.msgs.Duration) -> None:
@@ -25,7 +25,7 @@ def sleep(duration: float | simkit.msgs.Duration) -> None:
     if nanoseconds >= 0:
         line.sleep_until(line.peek_ns() + nanoseconds)
     if line.shutdown_reason is not None:
-        raise interrupted()
+        raise interrupted("ROS shutdown request")
 
 
 class Rate:
@@ -37,7 +37,7 @@ class Rate:
     """
 
     def __init__(self, hz: float, reset: bool = False) -> None:
-        self.last_time = get_rostime()
+        self.last_time: simkit.msgs.Time = get_rostime()
         self.sleep_dur = Duration(0, int(1e9 / hz))
         self._reset = reset
 
@@ -70,10 +70,10 @@ class TimerEvent:
 
     def __init__(
         self,
-        last_expected: Time | None,
-        last_real: Time | None,
-        current_expected: Time,
-        current_real: Time,
+        last_expected: simkit.msgs.Time | None,
+        last_real: simkit.msgs.Time | None,
+        current_expected: simkit.msgs.Time,
+        current_real: simkit.msgs.Time,
         last_duration: float | None,
     ) -> None:
         self.last_expected = last_expected
@@ -106,17 +106,29 @@ class Timer:
         self._oneshot = oneshot
         self._shutdown = False
         self._reset = reset
-        client.current().scheduler.start(self._run, "timer")
+        if not isinstance(period, simkit.msgs.Duration):
+            raise TypeError(f"a Timer's period is a rospy.Duration, not {period!r}")
+        self._task = client.current().scheduler.start(self._run, "timer")
 
     def shutdown(self) -> None:
         """Call back no more."""
         self._shutdown = True
 
+    def is_alive(self) -> bool:
+        """Whether it may still call back."""
+        return not self._task.done
+
+    def join(self, timeout: float | None = None) -> None:
+        """Block until it has ended, or for a time [s]."""
+        line = client.current()
+        until = None if timeout is None else line.peek_ns() + round(timeout * 1e9)
+        line.scheduler.join(self._task, until)
+
     def _run(self) -> None:
         line = client.current()
         expected = get_rostime() + self._period
-        last_expected: Time | None = None
-        last_real: Time | None = None
+        last_expected: simkit.msgs.Time | None = None
+        last_real: simkit.msgs.Time | None = None
         duration: float | None = None
         while not self._shutdown:
             line.sleep_until(expected.to_nsec())

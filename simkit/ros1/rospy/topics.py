@@ -126,7 +126,7 @@ class Publisher(_Topic):
                 "ROS node has not been initialized yet. Please call init_node() first"
             )
         if self._closed or self._id is None:
-            raise ROSException("publish() to a closed topic")
+            raise ROSException("publish() to an unregistered() handle")
         message = as_message(self.data_class, args, kwds)
         if message._has_header:
             self._line.sequence += 1
@@ -173,9 +173,13 @@ class Subscriber(_Topic):
         super().__init__(name, data_class)
         if callback is not None and not callable(callback):
             raise ValueError(f"callback is not a function or callable object: {callback}")
+        if queue_size == 0:
+            raise ROSException("queue size may not be set to zero")
+        if queue_size is not None and (type(queue_size) is not int or queue_size < -1):
+            raise ROSException("queue size must be an integer")
         self.callback = callback
         self.callback_args = callback_args
-        self._queue_size = queue_size
+        self._queue_size = None if queue_size == -1 else queue_size
         when_initialized(self._register)
 
     def _register(self) -> None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from simkit.graph.process.client import let_time_pass
 from simkit.msgs import Duration
 from simkit.tf.errors import TransformException
+from simkit.tf.hints import attach
 
 if TYPE_CHECKING:
     from simkit.ros1 import rospy
@@ -37,7 +38,11 @@ def noticing(answer: bool) -> bool:
 
 
 def wait_until(
-    question: Callable[[], tuple[bool, str]], timeout: Duration, *, frames: tuple[str, str]
+    question: Callable[[], tuple[bool, str]],
+    timeout: Duration,
+    *,
+    frames: tuple[str, str],
+    lookup: Callable[[], object],
 ) -> None:
     """Ask again and again until the answer is yes.
 
@@ -45,6 +50,7 @@ def wait_until(
         question: Gives the answer, and tf's reason if it is no.
         timeout: How long to wait at most.
         frames: Target and source as the caller wrote them.
+        lookup: The lookup that would succeed after a yes; what it says else is the hint.
 
     Raises:
         TransformException: The answer stayed no; the text is the last reason.
@@ -63,4 +69,14 @@ def wait_until(
     if not possible:
         target, source = frames
         let_time_pass()
-        raise TransformException(reason or f'no such transformation: "{source}" -> "{target}"')
+        error = TransformException(reason or f'no such transformation: "{source}" -> "{target}"')
+        attach(error, _hint_of(lookup))
+        raise error
+
+
+def _hint_of(lookup: Callable[[], object]) -> str:
+    try:
+        lookup()
+    except TransformException as error:
+        return error.hint
+    return ""

@@ -55,10 +55,7 @@ class Transformer:
             ExtrapolationException: `time` lies outside the stored data.
         """
         with time_passes_on_failure():
-            found = self._buffer.lookup_transform(
-                without_slash(target_frame), without_slash(source_frame), time
-            )
-        return _as_lists(found)
+            return _as_lists(self._lookup(target_frame, source_frame, time))
 
     def lookupTransformFull(
         self,
@@ -79,14 +76,9 @@ class Transformer:
             TransformException: As `lookupTransform`.
         """
         with time_passes_on_failure():
-            found = self._buffer.lookup_transform_full(
-                without_slash(target_frame),
-                target_time,
-                without_slash(source_frame),
-                source_time,
-                without_slash(fixed_frame),
+            return _as_lists(
+                self._lookup_full(target_frame, target_time, source_frame, source_time, fixed_frame)
             )
-        return _as_lists(found)
 
     def canTransform(self, target_frame: str, source_frame: str, time: Time) -> bool:
         """Whether `lookupTransform` would answer."""
@@ -130,6 +122,7 @@ class Transformer:
             lambda: self._reason(target_frame, source_frame, time),
             timeout,
             frames=(target_frame, source_frame),
+            lookup=lambda: self._lookup(target_frame, source_frame, time),
         )
 
     def waitForTransformFull(
@@ -154,6 +147,9 @@ class Transformer:
             ),
             timeout,
             frames=(target_frame, source_frame),
+            lookup=lambda: self._lookup_full(
+                target_frame, target_time, source_frame, source_time, fixed_frame
+            ),
         )
 
     def getLatestCommonTime(self, source_frame: str, dest_frame: str) -> Time:
@@ -280,19 +276,22 @@ class Transformer:
                 "TF messages"
             )
 
-    def _reason(self, target: str, source: str, time: Time) -> tuple[bool, str]:
-        return self._buffer.can_transform_core(without_slash(target), without_slash(source), time)
+    def _lookup(self, *question: Any) -> Any:
+        return self._buffer.lookup_transform(*_without_slashes(question))
 
-    def _reason_full(
-        self, target: str, target_time: Time, source: str, source_time: Time, fixed: str
-    ) -> tuple[bool, str]:
-        return self._buffer.can_transform_full_core(
-            without_slash(target),
-            target_time,
-            without_slash(source),
-            source_time,
-            without_slash(fixed),
-        )
+    def _lookup_full(self, *question: Any) -> Any:
+        return self._buffer.lookup_transform_full(*_without_slashes(question))
+
+    def _reason(self, *question: Any) -> tuple[bool, str]:
+        return self._buffer.can_transform_core(*_without_slashes(question))
+
+    def _reason_full(self, *question: Any) -> tuple[bool, str]:
+        return self._buffer.can_transform_full_core(*_without_slashes(question))
+
+
+def _without_slashes(question: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The arguments of a question, one leading slash dropped from each frame name."""
+    return tuple(without_slash(part) if isinstance(part, str) else part for part in question)
 
 
 def _as_lists(transform: Any) -> tuple[list[float], list[float]]:

@@ -5,6 +5,7 @@ import sys
 
 import pytest
 
+from simkit.graph.names import split_command_line
 from simkit.nodes import builtin_nodes
 from simkit.nodes.turtlesim import DrawSquare, Mimic, TurtlesimNode, TurtleTeleop
 
@@ -36,3 +37,23 @@ def test_the_registry_imports_no_node_and_no_node_imports_matplotlib() -> None:
         "import simkit.nodes.turtlesim; assert 'matplotlib' not in sys.modules"
     )
     subprocess.run([sys.executable, "-c", program], check=True)
+
+
+@pytest.mark.parametrize(
+    ("words", "taken", "name"),
+    [
+        ([], [], "tf_echo_1"),
+        ([], ["/tf_echo_1", "/tf_echo_2"], "tf_echo_3"),
+        (["__ns:=/lab"], ["/tf_echo_1"], "tf_echo_1"),
+        (["__ns:=/lab"], ["/lab/tf_echo_1"], "tf_echo_2"),
+        (["__name:=mine"], ["/mine"], "mine"),
+    ],
+)
+def test_an_anonymous_node_gets_a_number_unless_it_is_named(words, taken, name) -> None:
+    definition = builtin_nodes()["tf", "tf_echo"]
+    assert definition.named(split_command_line(words), taken).node_name == name
+
+
+def test_any_other_node_keeps_its_command_line() -> None:
+    line = split_command_line(["a:=b"])
+    assert builtin_nodes()["turtlesim", "turtlesim_node"].named(line, ["/turtlesim"]) is line

@@ -96,3 +96,17 @@ def test_a_follower_settles_where_theory_says(frame: Frame) -> None:
     assert distance == pytest.approx(2 / math.sqrt(2 - 2 * math.sin(0.125)), abs=0.01)
     assert follower.pose.linear_velocity == pytest.approx(0.754, abs=0.002)
     assert follower.pose.angular_velocity == pytest.approx(0.5, abs=0.001)
+
+
+def test_everyone_who_ever_was_here_is_remembered(frame: Frame, drive: Drive) -> None:
+    frame.spawn("ann")
+    drive(frame, 5)
+    frame.kill("ann")
+    drive(frame, 5)
+    frame.reset((0, 0, 0))
+    assert [(turtle.name, turtle.gone_ns) for turtle in frame.everyone] == [
+        ("turtle1", 160_000_000),
+        ("ann", 80_000_000),
+        ("turtle1", None),
+    ]
+    assert frame.turtles == (frame.everyone[-1],)

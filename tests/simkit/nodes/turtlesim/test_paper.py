@@ -122,3 +122,22 @@ def test_lines_beyond_the_window_and_to_nowhere_are_harmless() -> None:
     paper.draw_line((5.0, 5.0), (math.nan, 5.0), turtle="ann", pen=Pen())
     assert len(paper.strokes) == 1
     assert paper.color_at((math.nan, 5.0)) == BACKGROUND
+
+
+def test_strokes_know_when_they_were_drawn(frame: Frame, drive: Drive) -> None:
+    drive(frame, 3, Velocity(x=1.0))
+    (stroke,) = frame.paper.strokes
+    assert stroke.times_ns == (16_000_000, 16_000_000, 32_000_000, 48_000_000)
+    assert len(stroke.times_ns) == len(stroke.points)
+
+
+def test_what_was_cleared_away_is_kept_with_its_time(frame: Frame, drive: Drive) -> None:
+    drive(frame, 3, Velocity(x=1.0))
+    frame.paper.clear((1, 2, 3))
+    drive(frame, 2, Velocity(x=1.0))
+    old, new = frame.paper.sheets
+    assert (old.from_ns, new.from_ns) == (0, 48_000_000)
+    assert (old.background, new.background) == (BACKGROUND, (1, 2, 3))
+    assert [len(sheet.strokes) for sheet in (old, new)] == [1, 1]
+    assert new.strokes == frame.paper.strokes
+    assert new.strokes[0].times_ns[0] == 64_000_000

@@ -1,0 +1,41 @@
+"""What a person waits for before anything happens: imports and commands, each in a fresh process."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+
+from figures import Figure, median_of, show
+
+RUNS = 15
+COLD = {
+    "python that does nothing": (["-c", "pass"], None),
+    "import simkit": (["-c", "import simkit"], 250.0),
+    "from simkit import Simulation": (["-c", "from simkit import Simulation"], None),
+    "simkit rosmsg show geometry_msgs/Twist": (
+        ["-m", "simkit.cli", "rosmsg", "show", "geometry_msgs/Twist"],
+        150.0,
+    ),
+}
+
+
+def run_once(arguments: list[str]) -> float:
+    """Wall time of one process [ms]."""
+    start = time.perf_counter()
+    subprocess.run([sys.executable, *arguments], check=True, stdout=subprocess.DEVNULL)
+    return (time.perf_counter() - start) * 1e3
+
+
+def main() -> None:
+    """Print the figures."""
+    times: dict[str, list[float]] = {name: [] for name in COLD}
+    for _ in range(RUNS):
+        for name, (arguments, _target) in COLD.items():
+            times[name].append(run_once(arguments))
+    for name, (_, target) in COLD.items():
+        show(Figure(f"cold: {name}", median_of(times[name]), "ms", target))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,66 @@
+"""One simulation for all terminals: host it here, or do a command in the one that another terminal hosts."""
+
+from __future__ import annotations
+
+import socket
+import sys
+from collections.abc import Callable, Sequence
+
+from simkit.cli.complaint import USAGE_ERROR
+from simkit.cli.interrupt import Interrupt
+from simkit.live import Host, Session, SessionError, call, find_session
+from simkit.live.commands import live_commands
+from simkit.simulation import Simulation
+
+_CONNECT_TIMEOUT = 2.0
+_ROS_USAGE_ERROR = 64  # what the tools of ROS end with
+
+
+def host(sim: Simulation, until: Callable[[], bool]) -> bool:
+    """Host a simulation until `until()` holds or Ctrl-C comes; whether Ctrl-C ended it."""
+    interrupt = Interrupt()
+    with interrupt.caught():
+        Host(sim, live_commands()).serve(lambda: interrupt.came or until())
+    return interrupt.came
+
+
+def running_session() -> Session | None:
+    """The session that is announced, if somebody listens there; a host that was killed leaves its file."""
+    session = find_session()
+    if session is None:
+        return None
+    try:
+        socket.create_connection(("127.0.0.1", session.port), _CONNECT_TIMEOUT).close()
+    except OSError:
+        return None
+    return session
+
+
+def elsewhere(argv: Sequence[str]) -> int:
+    """Do a command in the simulation of another terminal, and show what it says.
+
+    Args:
+        argv: Command and arguments, e.g. `["rostopic", "echo", "/tf"]`.
+
+    Returns:
+        Its exit code; Ctrl-C is the usual end of a command that goes on.
+
+    Raises:
+        SessionError: No simulation runs.
+    """
+    session = running_session()
+    if session is None:
+        raise SessionError(
+            "no simulation runs; start one in another terminal: simkit roscore, or simkit rosrun ..."
+        )
+    try:
+        code = call(session, argv, show)
+    except KeyboardInterrupt:
+        return 0
+    return USAGE_ERROR if code == _ROS_USAGE_ERROR else code
+
+
+def show(text: str) -> None:
+    """Print what a command says, at once."""
+    sys.stdout.write(text)
+    sys.stdout.flush()

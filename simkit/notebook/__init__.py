@@ -1,0 +1,10 @@
+"""The command lines of ROS in a notebook: `%load_ext simkit`, then `%rosrun turtlesim turtlesim_node`.
+
+They act on the newest open `Simulation` of the notebook; the first one makes one if there is none.
+`lines` is what each does, `register` is how IPython comes to know them.
+"""
+
+from simkit.notebook.lines import LINES, LineError
+from simkit.notebook.register import register
+
+__all__ = ["LINES", "LineError", "register"]

@@ -1,0 +1,100 @@
+"""What each line of a notebook does. A new line is a function, and an entry in `LINES`."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import sys
+from collections.abc import Callable, Mapping
+from functools import partial
+
+from simkit.cli import main as command_line
+from simkit.errors import SimkitError
+from simkit.nodes import builtin_nodes
+from simkit.notebook.current import current_simulation
+from simkit.notebook.starting import StartWatch
+from simkit.tools import Bounds, run_tool
+
+START_SECONDS = 0.5
+"""How long a simulation runs after a node was started, so that its first faults show [s]."""
+WATCH_SECONDS = 3.0
+"""How long a node that only prints, such as tf_echo, is watched before it is ended [s]."""
+BOUNDS = Bounds(seconds=5.0, messages=10)
+"""When `rostopic echo` and its kin end in a notebook."""
+_CTRL_C = ". Press ctrl-C to terminate"
+
+Line = Callable[[list[str]], None]
+"""Does what the words of a line ask for."""
+
+
+class LineError(SimkitError):
+    """A line of a notebook could not do what it was asked; IPython shows the text alone."""
+
+    def _render_traceback_(self) -> list[str]:
+        # IPython asks an exception how it wants to be shown.
+        return [str(self)]
+
+
+def rosrun(words: list[str]) -> None:
+    """Start a node: `%rosrun package executable [arguments]`; a last `&` keeps a tf_echo running.
+
+    The simulation runs for half a second, so that what the node says at its start stands below.
+    """
+    if len(words) < 2:
+        raise SimkitError("usage: %rosrun PACKAGE EXECUTABLE [ARGUMENTS]")
+    in_background = words[-1] == "&"
+    package, executable, *arguments = words[:-1] if in_background else words
+    sim = current_simulation()
+    definition = builtin_nodes().get((package, executable))
+    is_watched = definition is not None and definition.watches and not in_background
+    with StartWatch(sim) as watch:
+        node = sim.rosrun(package, executable, *arguments)
+        sim.run_until(lambda: not node.alive, WATCH_SECONDS if is_watched else START_SECONDS)
+        if is_watched:
+            node.shutdown()
+    watch.show_rest(node)
+
+
+def tool(name: str, words: list[str]) -> None:
+    """Use a tool of ROS on the simulation: rostopic, rosnode, rosservice, rosparam.
+
+    What would go on until Ctrl-C ends after a few messages or seconds.
+    """
+    sim = current_simulation()
+    before = set(sim.nodes())
+    run_tool(sim, name, words, write=_write, bounds=BOUNDS)
+    for node in sorted(set(sim.nodes()) - before):
+        print(f"{node} goes on; %rosnode kill {node} ends it")
+        sim.run(START_SECONDS)
+
+
+def command(name: str, words: list[str]) -> None:
+    """As `simkit` in a terminal: rosmsg, rossrv, rospack."""
+    complaint = io.StringIO()
+    with contextlib.redirect_stderr(complaint):
+        code = command_line([name, *words])
+    if code:
+        raise SimkitError(complaint.getvalue().removeprefix(f"simkit {name}: "))
+
+
+def _write(text: str) -> None:
+    sys.stdout.write(text.replace(_CTRL_C, ""))
+
+
+def _described(line: Callable[[str, list[str]], None], name: str) -> Line:
+    described = partial(line, name)
+    described.__doc__ = line.__doc__
+    return described
+
+
+LINES: Mapping[str, Line] = {
+    "rosrun": rosrun,
+    "rosnode": _described(tool, "rosnode"),
+    "rosparam": _described(tool, "rosparam"),
+    "rosservice": _described(tool, "rosservice"),
+    "rostopic": _described(tool, "rostopic"),
+    "rosmsg": _described(command, "rosmsg"),
+    "rospack": _described(command, "rospack"),
+    "rossrv": _described(command, "rossrv"),
+}
+"""The lines by name."""

@@ -1,0 +1,49 @@
+"""Tells IPython of the lines, and turns what goes wrong in one into one line."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Callable
+from typing import Any
+
+from simkit.errors import SimkitError
+from simkit.notebook.lines import LINES, Line, LineError
+
+
+def register(ipython: Any) -> None:
+    """Make `%rosrun` and its kin known to an IPython shell.
+
+    Args:
+        ipython: The `InteractiveShell`.
+    """
+    from IPython.core.magic import no_var_expand
+
+    for name, line in LINES.items():
+        # IPython would take {linear: {x: 1.0}} for a place to put a variable in.
+        magic = no_var_expand(_magic(name, line))
+        ipython.register_magic_function(magic, "line", name)
+
+
+def _magic(name: str, line: Line) -> Callable[[str], None]:
+    def magic(text: str) -> None:
+        try:
+            line(_words(text))
+        except LineError:
+            raise
+        except (SimkitError, OSError) as error:
+            raise LineError(f"%{name}: {_in_one_line(str(error))}") from None
+
+    magic.__doc__ = line.__doc__
+    magic.__name__ = name
+    return magic
+
+
+def _words(text: str) -> list[str]:
+    try:
+        return shlex.split(text)
+    except ValueError as error:
+        raise SimkitError(f"{text}: {error}; quotation marks come in pairs") from error
+
+
+def _in_one_line(text: str) -> str:
+    return " ".join(text.split())

@@ -1,0 +1,87 @@
+"""YAML of parameters: with angles, `deg(90)` and `rad(pi/2)`, and one name for a block of output.
+
+Source: rosparam of ROS Noetic: the tags `!degrees` and `!radians`, and words of these two forms.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+import operator
+import re
+from collections.abc import Callable
+from typing import Any
+
+import yaml
+
+from simkit.tools.errors import ToolError
+
+_OPERATORS: dict[type[ast.AST], Callable[..., float]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.USub: operator.neg,
+    ast.UAdd: operator.pos,
+}
+
+
+class _Loader(yaml.SafeLoader):  # type: ignore[misc]  # PyYAML tells no types
+    """A safe loader that knows angles."""
+
+
+def load_parameters(text: str) -> list[Any]:
+    """The values of a YAML text, one for each document in it.
+
+    Raises:
+        ToolError: It is not YAML, or an angle cannot be read.
+    """
+    try:
+        return list(yaml.load_all(text, _Loader))
+    except yaml.YAMLError as error:
+        raise ToolError(f"ERROR: not YAML: {' '.join(str(error).split())}") from error
+
+
+def dump_parameters(value: Any) -> str:
+    """A value as YAML, with the line break at its end."""
+    return str(yaml.safe_dump(value, default_flow_style=False))
+
+
+def _degrees(loader: _Loader, node: Any) -> float:
+    text = str(loader.construct_scalar(node)).strip()
+    number = text[4:-1] if text.startswith("deg(") else text
+    try:
+        return float(number) * math.pi / 180.0
+    except ValueError:
+        raise ToolError(f"ERROR: invalid degree value: {text}") from None
+
+
+def _radians(loader: _Loader, node: Any) -> float:
+    text = str(loader.construct_scalar(node)).strip()
+    expression = text[4:-1] if text.startswith("rad(") else text
+    try:
+        return _value(ast.parse(expression.strip(), mode="eval").body)
+    except (SyntaxError, ValueError, ZeroDivisionError, RecursionError):
+        raise ToolError(f"ERROR: invalid radian expression: {text}") from None
+
+
+def _value(node: ast.AST) -> float:
+    """The value of an expression of numbers, `pi` and + - * /."""
+    match node:
+        case ast.Constant(value=int() | float() as number):
+            return float(number)
+        case ast.Name(id="pi"):
+            return math.pi
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATORS:
+            return _OPERATORS[type(op)](_value(left), _value(right))
+        case ast.UnaryOp(op=op, operand=operand) if type(op) in _OPERATORS:
+            return _OPERATORS[type(op)](_value(operand))
+    raise ValueError(ast.dump(node))
+
+
+for _tag, _construct, _word in (
+    ("!degrees", _degrees, "deg"),
+    ("!radians", _radians, "rad"),
+):
+    _Loader.add_constructor(_tag, _construct)
+    _Loader.add_implicit_resolver(_tag, re.compile(rf"^{_word}\([^)]*\)$"), [_word[0]])

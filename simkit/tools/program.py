@@ -1,0 +1,40 @@
+"""What built-in programs that print have in common: a place in the graph, an output, an end."""
+
+from __future__ import annotations
+
+from simkit.graph import Node
+
+
+class Program:
+    """A program that runs as a node in this process and prints.
+
+    What it prints is kept in `output`, and shown on the screen of its graph as it comes.
+
+    Args:
+        node: Its place in the graph.
+
+    Attributes:
+        exit_code: What it ended with; None while it runs.
+    """
+
+    def __init__(self, node: Node) -> None:
+        self._node = node
+        self._printed: list[str] = []
+        self.exit_code: int | None = None
+
+    @property
+    def output(self) -> str:
+        """What it has printed so far."""
+        return "".join(self._printed)
+
+    def _print(self, text: str) -> None:
+        """Print a text as it is, without a line break of its own."""
+        self._printed.append(text)
+        screen = self._node.graph.screen
+        if screen is not None:
+            screen.output(self._node.name, text)
+
+    def _exit(self, code: int) -> None:
+        """End the program and leave the graph."""
+        self.exit_code = code
+        self._node.shutdown()

@@ -1,0 +1,207 @@
+"""`rosparam`: reading and writing the parameter server, also from and to YAML files.
+
+Source: rosparam of ROS Noetic, outputs and texts: setting a mapping keeps what it does not name.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from simkit.graph import Graph
+from simkit.tools.command_line import ArgumentParser, Call
+from simkit.tools.errors import ToolError, near_hint
+from simkit.tools.parameter_yaml import dump_parameters, load_parameters
+from simkit.tools.world import is_below, resolved
+
+_NAMESPACE_KEY = "_ns"
+"As the first key of a YAML document: the namespace of all that follows."
+
+_END_OF_SCALAR = "\n...\n"
+"What PyYAML ends a single value with."
+
+
+def get(graph: Graph, name: str, *, pretty: bool = False) -> str:
+    """What `rosparam get` prints: the value as YAML.
+
+    Args:
+        graph: The graph.
+        name: Parameter or namespace.
+        pretty: As `-p`: strings and mappings for people, not for YAML.
+
+    Raises:
+        ToolError: It is not set.
+    """
+    value = _value(graph, name)
+    if pretty and isinstance(value, dict):
+        return _pretty(value, "")
+    if pretty and isinstance(value, str):
+        return f"{value}\n"
+    return dump_parameters(value).removesuffix(_END_OF_SCALAR) + "\n"
+
+
+def set_value(graph: Graph, name: str, text: str) -> None:
+    """Set a parameter to a value in YAML, as `rosparam set` does; prints nothing.
+
+    Raises:
+        ToolError: The text is not YAML, or means nothing.
+    """
+    values = load_parameters(text) if text else [""]
+    if len(values) != 1 or values[0] is None:
+        raise ToolError(f"ERROR: {text!r} is no value for a parameter")
+    _set(graph, resolved(name), values[0])
+
+
+def list_parameters(graph: Graph, namespace: str = "/") -> str:
+    """What `rosparam list` prints: the names of the parameters, sorted."""
+    within = resolved(namespace)
+    names = (name for name in graph.params.names() if is_below(name, within) and name != within)
+    return "\n".join(names) + "\n"
+
+
+def delete(graph: Graph, name: str) -> None:
+    """Remove a parameter or a namespace, as `rosparam delete` does; prints nothing.
+
+    Raises:
+        ToolError: It is not set.
+    """
+    _value(graph, name)
+    graph.params.delete(resolved(name))
+
+
+def load(graph: Graph, file: str | Path, namespace: str = "/") -> None:
+    """Set parameters from a YAML file, as `rosparam load` does; prints nothing.
+
+    Raises:
+        ToolError: There is no such file, it is not YAML, or not a mapping.
+    """
+    path = Path(file)
+    if not path.is_file():
+        raise ToolError(f"ERROR: file [{file}] does not exist")
+    for document in load_parameters(path.read_text("utf-8")):
+        name, values = resolved(namespace), document
+        if isinstance(document, dict) and _NAMESPACE_KEY in document:
+            values = dict(document)
+            name = _join(name, str(values.pop(_NAMESPACE_KEY)))
+        if name == "/" and not isinstance(values, dict):
+            raise ToolError("ERROR: global / can only be set to a dictionary")
+        _set(graph, name, values)
+
+
+def dump(graph: Graph, namespace: str = "/") -> str:
+    """What `rosparam dump` writes: all parameters of a namespace as YAML.
+
+    Raises:
+        ToolError: The namespace is not set.
+    """
+    return dump_parameters(_value(graph, namespace))
+
+
+def _value(graph: Graph, name: str) -> Any:
+    full = resolved(name)
+    value = graph.params.get(full, None)
+    if value is None:
+        hint = near_hint(full, graph.params.names())
+        raise ToolError(f"ERROR: Parameter [{full}] is not set{hint}")
+    return value
+
+
+def _set(graph: Graph, name: str, value: Any) -> None:
+    if not isinstance(value, dict):
+        graph.params.set(name, value)
+        return
+    for key, item in value.items():
+        if not isinstance(key, str):
+            raise ToolError(
+                f"ERROR: YAML dictionaries must have string keys. Invalid dictionary is:\n{value}"
+            )
+        _set(graph, _join(name, key), item)
+
+
+def _join(namespace: str, name: str) -> str:
+    return resolved(name) if name.startswith("/") else f"{namespace.rstrip('/')}/{name}"
+
+
+def _pretty(tree: dict[str, Any], indent: str) -> str:
+    text = ""
+    for key, value in sorted(tree.items()):
+        if isinstance(value, dict):
+            text += f"{indent}{key}:\n{_pretty(value, indent + '  ')}"
+        elif isinstance(value, str) and "\n" in value:
+            lines = "".join(f"{indent}  {line}\n" for line in value.split("\n"))
+            text += f"{indent}{key}: |\n{lines}"
+        elif isinstance(value, str):
+            text += f"{indent}{key}: {value}\n"
+        else:
+            text += (
+                f"{indent}{key}: {dump_parameters(value).removesuffix(_END_OF_SCALAR).rstrip()}\n"
+            )
+    return text
+
+
+def _get_command(call: Call) -> None:
+    parser = ArgumentParser("rosparam get")
+    parser.add_argument("-p", dest="pretty", action="store_true", help="for people")
+    parser.add_argument("parameter")
+    found = parser.parse_args(call.words)
+    call.write(get(call.world.graph, found.parameter, pretty=found.pretty))
+
+
+def _set_command(call: Call) -> None:
+    parser = ArgumentParser("rosparam set")
+    parser.add_argument("-t", "--textfile", help="file with the text to set")
+    parser.add_argument("parameter")
+    parser.add_argument("value", nargs="?", help="YAML")
+    found = parser.parse_args(call.words)
+    if (found.value is None) == (found.textfile is None):
+        parser.error("invalid arguments. Please specify a parameter value")
+    if found.textfile is None:
+        set_value(call.world.graph, found.parameter, found.value)
+        return
+    path = Path(found.textfile)
+    if not path.is_file():
+        parser.error(f"file '{path}' does not exist")
+    call.world.graph.params.set(resolved(found.parameter), path.read_text("utf-8"))
+
+
+def _list_command(call: Call) -> None:
+    parser = ArgumentParser("rosparam list")
+    parser.add_argument("namespace", nargs="?", default="/")
+    call.write(list_parameters(call.world.graph, parser.parse_args(call.words).namespace))
+
+
+def _delete_command(call: Call) -> None:
+    parser = ArgumentParser("rosparam delete")
+    parser.add_argument("parameter")
+    delete(call.world.graph, parser.parse_args(call.words).parameter)
+
+
+def _load_command(call: Call) -> None:
+    parser = ArgumentParser("rosparam load")
+    parser.add_argument("file")
+    parser.add_argument("namespace", nargs="?", default="/")
+    found = parser.parse_args(call.words)
+    load(call.world.graph, found.file, found.namespace)
+
+
+def _dump_command(call: Call) -> None:
+    parser = ArgumentParser("rosparam dump")
+    parser.add_argument("file", nargs="?", help="to write; without it the text is printed")
+    parser.add_argument("namespace", nargs="?", default="/")
+    found = parser.parse_args(call.words)
+    text = dump(call.world.graph, found.namespace)
+    if found.file is None:
+        call.write(text)
+    else:
+        Path(found.file).write_text(text, "utf-8")
+
+
+COMMANDS = {
+    "delete": _delete_command,
+    "dump": _dump_command,
+    "get": _get_command,
+    "list": _list_command,
+    "load": _load_command,
+    "set": _set_command,
+}
+"""The commands of rosparam by name."""

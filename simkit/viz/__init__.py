@@ -1,0 +1,25 @@
+"""Seeing: the RViz of this kit, its view_frames, time series, and a window of turtles.
+
+Every picture is made once and does not change afterwards; it shows itself in a notebook and is
+saved by `save("name.svg")`. What a picture shows (`forest`, `tf_scene`, `transform_series`,
+`turtle_tape`) lies apart from how it is drawn; `drawing` is what both SVG and PNG are made of.
+"""
+
+from simkit.viz.frames_picture import FramesPicture
+from simkit.viz.frames_view import FramesView
+from simkit.viz.live_view import LiveView
+from simkit.viz.transform_plot import TransformPlot
+from simkit.viz.transform_series import TransformSeries, transform_series
+from simkit.viz.turtle_replay import TurtleReplay
+from simkit.viz.turtlesim_view import TurtlesimView
+
+__all__ = [
+    "FramesPicture",
+    "FramesView",
+    "LiveView",
+    "TransformPlot",
+    "TransformSeries",
+    "TurtleReplay",
+    "TurtlesimView",
+    "transform_series",
+]

@@ -1,0 +1,102 @@
+"use strict";
+// Plays what turtles did. Data: see TurtleReplay in turtle_replay.py; rows are [time, x, y, ...].
+(() => {
+  const tape = JSON.parse(document.getElementById("data").textContent);
+  const [play, slider, clock, speed, paper, trails] =
+    ["play", "time", "clock", "speed", "paper", "trails"].map((id) => document.getElementById(id));
+  const bodies = [...document.querySelectorAll(".turtle")];
+  const cells = [...document.querySelectorAll("#poses tr")].slice(1).map((row) => [...row.cells].slice(1));
+  let now = tape.duration, shown = -1, lines = [], running = false, last = 0;
+
+  // Index of the last row that is not later than a time; -1 before the first.
+  function rowAt(rows, time) {
+    let low = 0, high = rows.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (rows[middle][0] <= time) low = middle + 1; else high = middle;
+    }
+    return low - 1;
+  }
+
+  function between(rows, index, time) {
+    const before = rows[index], after = rows[index + 1];
+    if (!after || after[0] === before[0]) return before;
+    const ratio = (time - before[0]) / (after[0] - before[0]);
+    return before.map((value, i) => value + ratio * (after[i] - value));
+  }
+
+  function showSheet(index) {
+    if (index === shown) return;
+    shown = index;
+    const sheet = tape.sheets[index];
+    paper.setAttribute("fill", sheet.color);
+    lines = sheet.trails.map((trail) => {
+      const line = document.createElementNS("http://www.w3.org/2000/svg", "polyline");
+      line.setAttribute("stroke", trail.color);
+      line.setAttribute("stroke-width", trail.width);
+      return { line, rows: trail.rows, drawn: -2 };
+    });
+    trails.replaceChildren(...lines.map(({ line }) => line));
+  }
+
+  function showTrail(item) {
+    const index = rowAt(item.rows, now);
+    const isDone = index === item.rows.length - 1;
+    if (index === item.drawn && (isDone || index < 0)) return;
+    item.drawn = index;
+    const points = item.rows.slice(0, index + 1);
+    if (index >= 0 && !isDone) points.push(between(item.rows, index, now));
+    item.line.setAttribute("points", points.map((row) => `${row[1].toFixed(2)},${row[2].toFixed(2)}`).join(" "));
+  }
+
+  function showTurtle(turtle, number) {
+    const index = rowAt(turtle.rows, now);
+    const isHere = index >= 0 && (turtle.until === null || now <= turtle.until);
+    bodies[number].style.display = isHere ? "" : "none";
+    if (!isHere) {
+      cells[number].forEach((cell) => { cell.textContent = ""; });
+      return;
+    }
+    const [, x, y, heading] = between(turtle.rows, index, now);
+    const [body, name] = bodies[number].children;
+    body.setAttribute("transform", `translate(${x} ${y}) rotate(${-heading})`);
+    const half = name.getBBox ? name.getBBox().width / 2 + 4 : 0;
+    const inside = Math.min(Math.max(x, half), 500 - half);
+    name.setAttribute("transform", `translate(${inside} ${y})`);
+    name.setAttribute("y", y + 38 < 496 ? 38 : -28);
+    const turned = heading - 360 * Math.floor((heading + 180) / 360);
+    const values = [(x - 0.5) / tape.metre, tape.side - (y - 0.5) / tape.metre, turned];
+    cells[number].forEach((cell, i) => { cell.textContent = values[i].toFixed(i < 2 ? 2 : 0); });
+  }
+
+  function show() {
+    const later = tape.sheets.findIndex((sheet) => sheet.since > now);
+    showSheet((later < 0 ? tape.sheets.length : Math.max(later, 1)) - 1);
+    lines.forEach(showTrail);
+    tape.turtles.forEach(showTurtle);
+    clock.value = `${now.toFixed(2)} s`;
+    slider.setAttribute("aria-valuetext", `${now.toFixed(1)} seconds`);
+  }
+
+  function step(time) {
+    if (!running) return;
+    now = Math.min(now + (time - last) / 1000 * Number(speed.value), tape.duration);
+    last = time;
+    slider.value = now;
+    show();
+    if (now >= tape.duration) setRunning(false); else requestAnimationFrame(step);
+  }
+
+  function setRunning(wanted) {
+    running = wanted;
+    play.textContent = wanted ? "Pause" : "Play";
+    if (!wanted) return;
+    if (now >= tape.duration) now = 0;
+    last = performance.now();
+    requestAnimationFrame(step);
+  }
+
+  play.addEventListener("click", () => setRunning(!running));
+  slider.addEventListener("input", () => { now = Number(slider.value); show(); });
+  show();
+})();

@@ -1,0 +1,62 @@
+"""One self-contained HTML file: style, body, data and script inside, nothing from elsewhere."""
+
+from __future__ import annotations
+
+import html
+import json
+from importlib import resources
+
+from simkit.viz.letters import printable
+
+_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:"
+"The browser itself refuses anything from the network."
+
+
+def html_page(*, title: str, name: str, body: str, data: object) -> str:
+    """A page that needs no network.
+
+    Args:
+        title: Its title, as plain text.
+        name: Which script and style of this package it has: `<name>.js` and `<name>.css`.
+        body: HTML of its body.
+        data: What the script finds as JSON in the element `data`; finite numbers only.
+    """
+    # In JSON these letters occur in strings only, where their codes mean the same.
+    text = json.dumps(data, allow_nan=False, separators=(",", ":"))
+    for letter in "<>&":
+        text = text.replace(letter, f"\\u{ord(letter):04x}")
+    return (
+        "<!DOCTYPE html>\n"
+        '<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        f"<title>{escaped(title)}</title>\n"
+        f"<style>\n{_asset('page.css')}{_asset(f'{name}.css')}</style>\n</head>\n<body>\n"
+        f"{body}\n"
+        f'<script type="application/json" id="data">{text}</script>\n'
+        f"<script>\n{_asset(f'{name}.js')}</script>\n</body>\n</html>\n"
+    )
+
+
+def escaped(text: str) -> str:
+    """Any text as HTML, between tags or between quotes."""
+    return html.escape(printable(text))
+
+
+def inline_frame(page: str, *, title: str, height: int) -> str:
+    """A page as part of another, e.g. of a notebook, with scripts that reach nothing around it.
+
+    Args:
+        page: The whole HTML.
+        title: What it shows, for screen readers.
+        height: Its height [px]; it is as wide as its surroundings.
+    """
+    return (
+        f'<iframe srcdoc="{html.escape(page)}" title="{escaped(title)}" '
+        f'sandbox="allow-scripts" width="100%" height="{height}" '
+        'style="border:0;display:block"></iframe>'
+    )
+
+
+def _asset(name: str) -> str:
+    return resources.files(__package__).joinpath("assets", name).read_text(encoding="utf-8")

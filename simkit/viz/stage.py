@@ -1,0 +1,78 @@
+"""What a scene of frames needs to be seen: a grid, axes of the right size, and a camera."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from simkit.tf.transform import Vector
+from simkit.viz.camera import Camera, fitted
+from simkit.viz.tf_scene import FramePose, TfScene
+
+_AZIMUTH, _ELEVATION = math.radians(-112.0), math.radians(32.0)
+"From behind and the right: x leads to the right, y away, z up, as on paper."
+_LEAST_EXTENT = 1e-3
+"Frames that are no further apart than this [m] are in one place."
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stage:
+    """A grid on the plane z = 0 of the fixed frame, and a camera."""
+
+    axis_length: float
+    """Length of each frame's axes [m]."""
+    cell: float
+    """Side of a cell of the grid [m]."""
+    grid_x: tuple[int, int]
+    """First and last line of the grid in x [cells]."""
+    grid_y: tuple[int, int]
+    """First and last line of the grid in y [cells]."""
+    camera: Camera
+    """The camera, so that everything is seen."""
+
+
+def stage_for(scene: TfScene) -> Stage:
+    """A stage for the frames of a scene; a metre around the origin if there are none."""
+    low, high = _bounds([pose.origin for pose in scene.poses] or [(0.0, 0.0, 0.0)])
+    if math.dist(low, high) < _LEAST_EXTENT:
+        low, high = (low[0] - 1.0, low[1] - 1.0, low[2]), (high[0] + 1.0, high[1] + 1.0, high[2])
+    extent = math.dist(low, high)
+    axis_length, cell = 0.09 * extent, _nice(extent / 8)
+    grid_x, grid_y = (_cells(low[i], high[i], cell) for i in (0, 1))
+    points = [tip for pose in scene.poses for tip in _tips(pose, axis_length)]
+    corners = [(cell * x, cell * y, 0.0) for x in grid_x for y in grid_y]
+    camera = Camera(target=low, distance=extent, azimuth=_AZIMUTH, elevation=_ELEVATION)
+    return Stage(
+        axis_length=axis_length,
+        cell=cell,
+        grid_x=grid_x,
+        grid_y=grid_y,
+        camera=fitted(camera, [*points, *corners], fill=0.94),
+    )
+
+
+def _bounds(points: Sequence[Vector]) -> tuple[Vector, Vector]:
+    xs, ys, zs = zip(*points, strict=True)
+    return (min(xs), min(ys), min(zs)), (max(xs), max(ys), max(zs))
+
+
+def _tips(pose: FramePose, length: float) -> list[Vector]:
+    x, y, z = pose.origin
+    return [
+        pose.origin,
+        *((x + length * a, y + length * b, z + length * c) for a, b, c in pose.axes),
+    ]
+
+
+def _nice(length: float) -> float:
+    """The nearest of 1, 2, 5 times a power of ten."""
+    power = 10.0 ** math.floor(math.log10(length))
+    return min(
+        (power, 2 * power, 5 * power, 10 * power), key=lambda nice: abs(math.log(nice / length))
+    )
+
+
+def _cells(low: float, high: float, cell: float) -> tuple[int, int]:
+    """Lines around an interval, with room beside it."""
+    return math.floor(low / cell - 0.5), math.ceil(high / cell + 0.5)

@@ -1,0 +1,198 @@
+"""Buffers that are easy to fill, and ways to look into what was drawn."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import xml.etree.ElementTree as ET
+from collections.abc import Callable, Sequence
+from html.parser import HTMLParser
+from typing import Any
+
+import pytest
+
+from simkit.graph import Executor, Graph
+from simkit.msgs import Duration, Time, message_class, service_class
+from simkit.nodes import builtin_nodes
+from simkit.tf import Buffer
+from simkit.tf.transformations import quaternion_from_euler
+
+START = 1_600_088_400
+SVG = "{http://www.w3.org/2000/svg}"
+VOID = {"meta", "input", "br", "img", "link"}
+
+
+class FilledBuffer(Buffer):
+    """A buffer with a short way to put a frame into it."""
+
+    def put(
+        self,
+        parent: str,
+        child: str,
+        t: float = START,
+        xyz: Sequence[float] = (0.0, 0.0, 0.0),
+        rpy: Sequence[float] = (0.0, 0.0, 0.0),
+        *,
+        static: bool = False,
+        by: str = "/me",
+    ) -> bool:
+        message: Any = message_class("geometry_msgs/TransformStamped")()
+        message.header.frame_id, message.child_frame_id = parent, child
+        message.header.stamp = Time.from_nsec(round(t * 1e9))
+        p, q = message.transform.translation, message.transform.rotation
+        p.x, p.y, p.z = map(float, xyz)
+        q.x, q.y, q.z, q.w = map(float, quaternion_from_euler(*rpy))
+        return (self.set_transform_static if static else self.set_transform)(message, by)
+
+
+class Page(HTMLParser):
+    """An HTML page taken apart; complains about tags that do not match."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.tags: list[tuple[str, dict[str, str | None]]] = []
+        self.texts: list[str] = []
+        self.scripts: list[str] = []
+        self._open: list[str] = []
+        self.feed(text)
+        self.close()
+        assert self._open == []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self._open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self._open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        (self.scripts if self._open[-1:] == ["script"] else self.texts).append(data)
+
+    def by_id(self, name: str) -> tuple[str, dict[str, str | None]]:
+        ((tag, attributes),) = [found for found in self.tags if found[1].get("id") == name]
+        return tag, attributes
+
+    @property
+    def data(self) -> Any:
+        return json.loads(self.scripts[0])
+
+
+class Window:
+    """A graph with a turtlesim in it."""
+
+    def __init__(self) -> None:
+        self.graph = Graph(Executor(START * 10**9))
+        self.tester = self.graph.create_node("/tester")
+        definition = builtin_nodes()[("turtlesim", "turtlesim_node")]
+        self.node: Any = definition(self.graph.create_node("/turtlesim", {}), [])
+
+    @property
+    def frame(self) -> Any:
+        return self.node.frame
+
+    def run(self, seconds: float) -> None:
+        executor = self.graph.executor
+        executor.run_to(executor.now_ns + round(seconds * 1e9))
+
+    def call(self, service: str, type_name: str, **fields: object) -> None:
+        request: Any = service_class(type_name)._request_class
+        answers: list[bool] = []
+        self.graph.call_service(
+            service, request(**fields).to_bytes(), "/tester", lambda ok, _: answers.append(ok)
+        )
+        self.run(0.0)
+        assert answers == [True]
+
+    def drive(self, linear: float, angular: float = 0.0, turtle: str = "turtle1") -> Any:
+        """Command a turtle ten times a second until the timer that is returned is cancelled."""
+        twist: Any = message_class("geometry_msgs/Twist")()
+        twist.linear.x, twist.angular.z = linear, angular
+        publisher = self.tester.advertise(f"/{turtle}/cmd_vel", type(twist))
+        publisher.publish(twist)
+        return self.tester.create_timer(Duration.from_nsec(10**8), lambda: publisher.publish(twist))
+
+
+@pytest.fixture
+def buffer() -> FilledBuffer:
+    return FilledBuffer()
+
+
+@pytest.fixture
+def turtles() -> FilledBuffer:
+    """Two turtles in the world, a carrot before one of them; two seconds."""
+    buffer = FilledBuffer()
+    for k in range(126):
+        t, angle = START + 0.016 * k, 0.05 * k
+        xyz = (5.5 + 2 * math.sin(angle), 7.5 - 2 * math.cos(angle), 0.0)
+        buffer.put("world", "turtle1", t, xyz, (0, 0, angle), by="/turtle1_tf_broadcaster")
+        buffer.put("world", "turtle2", t, (3 + k / 200, 3.5, 0), by="/turtle2_tf_broadcaster")
+        if k % 6 == 0:
+            buffer.put("turtle1", "carrot1", t, (0, 2, 0), by="/fixed_tf_broadcaster")
+    return buffer
+
+
+@pytest.fixture
+def two_trees(turtles: FilledBuffer) -> FilledBuffer:
+    """The turtles, and a robot on a map that nobody joined to their world."""
+    turtles.put("map", "odom", START + 1, (1, 1, 0), by="/amcl")
+    turtles.put("odom", "base_link", START + 1, (1, 0.5, 0), by="/diff_drive")
+    turtles.put("base_link", "laser", 0, (0.2, 0, 0.3), static=True, by="/laser_tf")
+    return turtles
+
+
+@pytest.fixture
+def hostile() -> FilledBuffer:
+    """Frames with names that are not meant well."""
+    buffer = FilledBuffer()
+    names = [
+        "<script>alert(1)</script>",
+        "\"&'<b>",
+        "a\x00b\x1bc\ud800",
+        "</script>",
+        "x" * 5000,
+        "世界",
+    ]
+    for name in names:
+        buffer.put("wörld", name, START, (1, 2, 3), by="<i>node</i>")
+    return buffer
+
+
+@pytest.fixture
+def window() -> Window:
+    return Window()
+
+
+@pytest.fixture
+def texts() -> Callable[[str], list[str]]:
+    """The texts that an SVG shows, in order; fails unless it is XML that needs nothing else."""
+
+    def look(svg: str) -> list[str]:
+        root = ET.fromstring(svg)
+        assert root.tag == f"{SVG}svg"
+        for address in re.findall(r"[a-z]+://[^\"' <]*", svg):
+            assert address.startswith("http://www.w3.org/")
+        assert not root.findall(f".//{SVG}script")
+        return [element.text or "" for element in root.iter(f"{SVG}text")]
+
+    return look
+
+
+@pytest.fixture
+def read_page() -> Callable[[str], Page]:
+    """Takes an HTML page apart; fails unless it needs nothing else."""
+
+    def read(text: str) -> Page:
+        page = Page(text)
+        assert not re.findall(r"(?:src|href)=|@import|url\(|https?://(?!www\.w3\.org/)", text)
+        policies = [a["content"] for tag, a in page.tags if "http-equiv" in a]
+        assert policies
+        assert policies[0] is not None
+        assert policies[0].startswith("default-src 'none'")
+        return page
+
+    return read
