@@ -9,12 +9,15 @@ import time
 from figures import Figure, median_of, show
 
 RUNS = 15
-COLD = {
+COMMAND = (
+    "import sys; from simkit.cli import main; sys.exit(main())"  # what the installed script does
+)
+COLD: dict[str, tuple[list[str], float | None]] = {
     "python that does nothing": (["-c", "pass"], None),
     "import simkit": (["-c", "import simkit"], 250.0),
-    "from simkit import Simulation": (["-c", "from simkit import Simulation"], None),
+    "from simkit import Simulation": (["-c", "from simkit import Simulation"], 250.0),
     "simkit rosmsg show geometry_msgs/Twist": (
-        ["-m", "simkit.cli", "rosmsg", "show", "geometry_msgs/Twist"],
+        ["-c", COMMAND, "rosmsg", "show", "geometry_msgs/Twist"],
         150.0,
     ),
 }

@@ -29,7 +29,6 @@ class RunningBuiltin:
         except BaseException:
             self._node.shutdown()  # half a node must not stay on the graph
             raise
-        self.exit_code: int | None = None
         self.failure: NodeFailure | None = None
         self.refusals: list[str] = []
 
@@ -45,6 +44,12 @@ class RunningBuiltin:
     def alive(self) -> bool:
         """Whether it is still on the graph."""
         return self._node.alive
+
+    @property
+    def exit_code(self) -> int | None:
+        """What the program ended with; None while it runs."""
+        code: int | None = getattr(self.program, "exit_code", None)
+        return code
 
     @property
     def output(self) -> str:

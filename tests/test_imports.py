@@ -30,6 +30,7 @@ MAY_IMPORT = {
     "simkit.tools": "simkit.errors simkit.msgs simkit.graph simkit.tf",
     "simkit.nodes": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tools",
     "simkit.packages": "simkit.errors",
+    "simkit.new_package": "simkit.errors simkit.msgs simkit.nodes simkit.packages",
     "simkit.recording": "simkit.errors simkit.msgs simkit.graph",
     "simkit.running": "simkit.graph simkit.nodes",
     "simkit.seeing": "simkit.errors simkit.msgs simkit.tf simkit.nodes simkit.recording simkit.running "

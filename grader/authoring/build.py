@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from grader.authoring.lectures import FOLDER, built_lectures
 from grader.authoring.notebook_text import solution_notebook, student_notebook
 from grader.authoring.source import load_source, source_paths
 from grader.errors import SourceError
@@ -40,10 +41,10 @@ def check(root: Path) -> list[str]:
         for path, text in built.items()
         if not _is(path, text)
     ]
-    for folder in ("exercises", "solutions"):
+    for folder in ("exercises", "solutions", FOLDER):
         for path in sorted((root / folder).glob("*.ipynb")):
             if path not in built:
-                source = f"solutions/{path.stem}.md"
+                source = f"{FOLDER if folder == FOLDER else 'solutions'}/{path.stem}.md"
                 sentences.append(f"{_short(path, root)} has no source {source}; delete it")
     return sentences
 
@@ -63,7 +64,7 @@ def built_notebooks(root: Path) -> dict[Path, str]:
             raise SourceError(f"{other} is exercise {source.definition.id} too", file=path.name)
         built[root / "exercises" / f"{source.slug}.ipynb"] = student_notebook(source)
         built[root / "solutions" / f"{source.slug}.ipynb"] = solution_notebook(source)
-    return built
+    return built | built_lectures(root)
 
 
 def _is(path: Path, text: str) -> bool:

@@ -16,8 +16,8 @@ _KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name":
 
 def solution_notebook(source: Source) -> str:
     """The text of the notebook with the solution."""
-    return _notebook(
-        source, [(cell, cell.for_solution(), key) for cell, key in _keyed(source.cells)]
+    return _exercise(
+        source, [(cell, cell.for_solution(), key) for cell, key in keyed(source.cells)]
     )
 
 
@@ -25,13 +25,13 @@ def student_notebook(source: Source) -> str:
     """The text of the notebook that is given out."""
     cells = [
         (cell, cell.for_students(), key)
-        for cell, key in _keyed(source.cells)
+        for cell, key in keyed(source.cells)
         if "solution" not in cell.tags
     ]
-    return _notebook(source, cells)
+    return _exercise(source, cells)
 
 
-def _keyed(cells: Sequence[SourceCell]) -> list[tuple[SourceCell, str]]:
+def keyed(cells: Sequence[SourceCell]) -> list[tuple[SourceCell, str]]:
     """Each cell with what stays the same about it when other cells come and go.
 
     A cell is known by its label, else by the file it writes, else by its kind and its number among
@@ -54,14 +54,23 @@ def _role(cell: SourceCell) -> str:
     return "-".join([cell.kind, *sorted(cell.tags)])
 
 
-def _notebook(source: Source, cells: Sequence[tuple[SourceCell, str, str]]) -> str:
+def _exercise(source: Source, cells: Sequence[tuple[SourceCell, str, str]]) -> str:
+    return notebook_text(cells, name=source.definition.id, metadata={"workbook": source.table})
+
+
+def notebook_text(
+    cells: Sequence[tuple[SourceCell, str, str]], *, name: str, metadata: dict[str, Any]
+) -> str:
+    """The text of a notebook.
+
+    Args:
+        cells: Each cell, its text in this notebook, and its key, unique in the notebook.
+        name: Tells this notebook's cells from those of others with the same keys.
+        metadata: What its metadata holds besides the kernel.
+    """
     value = {
-        "cells": [_cell(cell, text, f"{source.definition.id}/{key}") for cell, text, key in cells],
-        "metadata": {
-            "kernelspec": _KERNEL,
-            "language_info": {"name": "python"},
-            "workbook": source.table,
-        },
+        "cells": [_cell(cell, text, f"{name}/{key}") for cell, text, key in cells],
+        "metadata": {"kernelspec": _KERNEL, "language_info": {"name": "python"}, **metadata},
         "nbformat": 4,
         "nbformat_minor": 5,
     }

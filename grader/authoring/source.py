@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from grader.authoring.myst import parsed_myst
 from grader.authoring.rules import require_sound
 from grader.authoring.source_cells import SourceCell, read_cells
 from grader.errors import SourceError
@@ -53,18 +54,11 @@ def load_source(path: Path) -> Source:
     Raises:
         SourceError: Anything is not as it must be; file and line say where.
     """
-    # Imported here: it takes half a second, which only authors need to wait for.
-    from jupytext.myst import myst_to_notebook  # type: ignore[import-untyped]
-
-    text = path.read_text(encoding="utf-8")
-    try:
-        parsed = myst_to_notebook(text, add_source_map=True)
-    except Exception as error:  # whatever the parser says, it is about this file
-        raise SourceError(f"not MyST Markdown: {error}", file=path.name) from error
-    definition, table = _definition(path, text, dict(parsed.metadata))
-    cells = read_cells(parsed, text.split("\n"), file=path.name)
+    parsed, lines = parsed_myst(path)
+    definition, table = _definition(path, "\n".join(lines), dict(parsed.metadata))
+    cells = read_cells(parsed, lines, file=path.name)
     source = Source(path=path, definition=definition, table=table, cells=cells)
-    require_sound(cells, definition, file=path.name, lines=text.split("\n"))
+    require_sound(cells, definition, file=path.name, lines=lines)
     return source
 
 

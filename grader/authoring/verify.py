@@ -10,6 +10,7 @@ from grader.authoring.findings import Finding
 from grader.authoring.laws_of_checks import check_files_are_sound
 from grader.authoring.laws_of_files import complete, files_of, fresh, nothing_else, nothing_leaks
 from grader.authoring.laws_of_grades import Trial, trials_of
+from grader.authoring.lectures import fresh_lectures
 from grader.authoring.source import Source, load_source, source_paths
 from grader.errors import GraderError, SourceError
 from grader.exercises import SLUG_PATTERN, Exercise
@@ -66,7 +67,7 @@ def verify(
 def _whole_tree(root: Path) -> list[Finding]:
     slugs = [path.stem for path in source_paths(root)]
     keys = [f"{found[1]}_{found[2]}" for slug in slugs if (found := SLUG_PATTERN.fullmatch(slug))]
-    findings = list(nothing_else(root, slugs=slugs, keys=keys))
+    findings = [*nothing_else(root, slugs=slugs, keys=keys), *fresh_lectures(root)]
     for slug in slugs:
         same = [other for other in slugs if other[:4] == slug[:4]]
         if same[0] != slug:

@@ -28,6 +28,20 @@ def bearing(pose: Planar, place: Planar) -> float:
     return math.remainder(direction - pose.theta, math.tau)
 
 
+def seen_from(pose: Planar, place: Planar) -> tuple[float, float]:
+    """Where a turtle sees a place: ahead of it, and to its left [m]."""
+    distance, angle = gap(pose, place), bearing(pose, place)
+    return distance * math.cos(angle), distance * math.sin(angle)
+
+
+def ahead_of(pose: Planar, distance: float) -> tuple[float, float]:
+    """The place at a distance [m] ahead of a turtle, in the world [m]."""
+    return (
+        pose.x + distance * math.cos(pose.theta),
+        pose.y + distance * math.sin(pose.theta),
+    )
+
+
 def drive(
     sim: Simulation, *, speed: float, turn_rate: float, turtle: str = "turtle1"
 ) -> Callable[[], None]:
@@ -95,6 +109,11 @@ def usual_bearing(seen: list[tuple[Any, Any]]) -> float:
     """
     angles = sorted(abs(bearing(two, one)) for one, two in seen)
     return angles[len(angles) * 9 // 10]
+
+
+def come_to_rest(sim: Simulation, *, timeout: float) -> None:
+    """Let time pass until turtle2 hardly moves any more, at most `timeout` [s]."""
+    sim.run_until(lambda: bool(sim.latest("/turtle2/pose").linear_velocity < 0.02), timeout)
 
 
 def reaction_time(

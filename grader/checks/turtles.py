@@ -82,9 +82,18 @@ class TurtleWatch:
 
     def pose_at(self, time: float, turtle: str = "turtle1") -> TurtlePose | None:
         """The pose that turtlesim had published last at a time [s]; None before the first."""
-        poses = self.poses(turtle)
-        index = bisect_right([pose.time for pose in poses], time + 1e-6)
-        return poses[index - 1] if index else None
+        return last_before(self.poses(turtle), time)
+
+
+def last_before(poses: Sequence[TurtlePose], time: float) -> TurtlePose | None:
+    """The last of some poses at a time [s]; None before the first.
+
+    Args:
+        poses: Poses of one turtle, oldest first.
+        time: Virtual time [s].
+    """
+    index = bisect_right([pose.time for pose in poses], time + 1e-6)
+    return poses[index - 1] if index else None
 
 
 def yaw_of(rotation: Sequence[float]) -> float:

@@ -44,7 +44,7 @@ def help_text() -> str:
         if command.group != group:
             group = command.group
             lines += ["", f"{group}:"]
-        lines.append(f"  {command.name:<10} {command.summary}")
+        lines.append(f"  {command.name:<18} {command.summary}")
     lines += ["", "simkit COMMAND --help says more; simkit --version says which simkit this is."]
     return "\n".join(lines)
 

@@ -60,6 +60,7 @@ def _run_paced(
     sim: Simulation, stop: Callable[[], bool], seconds: float, interrupt: Interrupt
 ) -> None:
     start, begin = sim.now, time.monotonic()
+    sim.run_until(stop, timeout=0.0)
     while not stop():
         passed = (sim.now - start).to_sec()
         left = seconds - passed

@@ -40,7 +40,7 @@ class Command:
 _RUN, _ASK, _LOOK_UP, _HERE = (
     "Run nodes",
     "Ask a running simulation",
-    "Look things up",
+    "Packages and types",
     "This installation",
 )
 _COMMANDS = (
@@ -91,6 +91,12 @@ _COMMANDS = (
         summary="show and list service types",
         group=_LOOK_UP,
         module="simkit.cli.rosmsg",
+    ),
+    Command(
+        name="catkin_create_pkg",
+        summary="make a package",
+        group=_LOOK_UP,
+        module="simkit.cli.catkin_create_pkg",
     ),
     Command(
         name="rospack",

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from simkit import msgs
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.msgs.catalog import message_definition_text, service_definition_texts
-from simkit.tools.definition_text import message_text, service_text
+from simkit.msgs.definition_text import message_text, service_text
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,7 +50,7 @@ _KINDS = {
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Sub-commands show, list, md5, package, packages."""
     kind = _KINDS[parser.get_default("command")]
-    does = parser.add_subparsers(dest="does", metavar="COMMAND", required=True)
+    does = parser.add_subparsers(dest="does", metavar="COMMAND", required=True, prog=parser.prog)
     show = does.add_parser("show", help=f"show the fields of a {kind.word}")
     show.add_argument("-r", "--raw", action="store_true", help="the text as written, with comments")
     does.add_parser("list", help=f"list all {kind.word}s")

@@ -16,7 +16,7 @@ from simkit.packages import PATH_VARIABLE, PackagePath
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Sub-commands list and find."""
     parser.epilog = f"Packages are looked for below this folder and in {PATH_VARIABLE}."
-    does = parser.add_subparsers(dest="does", metavar="COMMAND", required=True)
+    does = parser.add_subparsers(dest="does", metavar="COMMAND", required=True, prog=parser.prog)
     does.add_parser("list", help="list all packages and their folders")
     find = does.add_parser("find", help="show the folder of a package")
     find.add_argument("package", metavar="PACKAGE")

@@ -128,6 +128,22 @@ _BUILTIN = (
         watches=True,
     ),
     BuiltinNode(
+        package="tf",
+        executable="view_frames",
+        node_name="view_frames",
+        module="simkit.viz.view_frames_program",
+        class_name="TfViewFrames",
+        anonymous=True,
+    ),
+    BuiltinNode(
+        package="tf2_tools",
+        executable="view_frames.py",
+        node_name="view_frames",
+        module="simkit.viz.view_frames_program",
+        class_name="Tf2ViewFrames",
+        anonymous=True,
+    ),
+    BuiltinNode(
         package="rostopic",
         executable="rostopic",
         node_name="rostopic",

@@ -10,6 +10,7 @@ from functools import partial
 
 from simkit.cli import main as command_line
 from simkit.errors import SimkitError
+from simkit.new_package import create_package
 from simkit.nodes import builtin_nodes
 from simkit.notebook.current import current_simulation
 from simkit.notebook.starting import StartWatch
@@ -49,9 +50,11 @@ def rosrun(words: list[str]) -> None:
     is_watched = definition is not None and definition.watches and not in_background
     with StartWatch(sim) as watch:
         node = sim.rosrun(package, executable, *arguments)
-        sim.run_until(lambda: not node.alive, WATCH_SECONDS if is_watched else START_SECONDS)
-        if is_watched:
-            node.shutdown()
+        try:
+            sim.run_until(lambda: not node.alive, WATCH_SECONDS if is_watched else START_SECONDS)
+        finally:
+            if is_watched:
+                node.shutdown()
     watch.show_rest(node)
 
 
@@ -77,6 +80,13 @@ def command(name: str, words: list[str]) -> None:
         raise SimkitError(complaint.getvalue().removeprefix(f"simkit {name}: "))
 
 
+def catkin_create_pkg(words: list[str]) -> None:
+    """Make the folder of a new package: `%catkin_create_pkg hello_ros rospy tf`."""
+    if not words:
+        raise SimkitError("usage: %catkin_create_pkg NAME [DEPENDENCIES]")
+    print(create_package(words[0], words[1:]))
+
+
 def _write(text: str) -> None:
     sys.stdout.write(text.replace(_CTRL_C, ""))
 
@@ -88,6 +98,7 @@ def _described(line: Callable[[str, list[str]], None], name: str) -> Line:
 
 
 LINES: Mapping[str, Line] = {
+    "catkin_create_pkg": catkin_create_pkg,
     "rosrun": rosrun,
     "rosnode": _described(tool, "rosnode"),
     "rosparam": _described(tool, "rosparam"),

@@ -19,17 +19,17 @@ class Program:
 
     def __init__(self, node: Node) -> None:
         self._node = node
-        self._printed: list[str] = []
+        self._output = ""
         self.exit_code: int | None = None
 
     @property
     def output(self) -> str:
         """What it has printed so far."""
-        return "".join(self._printed)
+        return self._output
 
     def _print(self, text: str) -> None:
         """Print a text as it is, without a line break of its own."""
-        self._printed.append(text)
+        self._output += text
         screen = self._node.graph.screen
         if screen is not None:
             screen.output(self._node.name, text)

@@ -19,8 +19,8 @@ from simkit.msgs import (
     fill_message,
     service_class,
 )
+from simkit.msgs.definition_text import service_text
 from simkit.tools.command_line import ArgumentParser, Call
-from simkit.tools.definition_text import service_text
 from simkit.tools.errors import ToolError, UsageError, near_hint
 from simkit.tools.world import World, address, is_below, resolved, service_nodes
 

@@ -19,7 +19,7 @@ from simkit.msgs import (
     message_class,
     message_types,
 )
-from simkit.tools.definition_text import message_text
+from simkit.msgs.definition_text import message_text
 from simkit.tools.errors import ToolError, UsageError, near_hint
 
 ONCE_SECONDS = 3.0

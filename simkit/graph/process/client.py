@@ -23,7 +23,7 @@ FREE_CLOCK_READS = 50
 """So often may a script read the clock at one instant before reading it lets a millisecond pass."""
 
 FREE_QUESTIONS = 100
-"""So many questions may a script put to the graph at one instant before the next lets a millisecond pass."""
+"""So many questions may a script put to the graph at one instant; then each lets a millisecond pass, until it sleeps."""
 
 _current: NodeClient | None = None
 _preloading = False
@@ -134,6 +134,7 @@ class NodeClient:
         self._questions += 1
         if self._questions > FREE_QUESTIONS and self.scheduler.is_task():
             self.sleep_until(self._now_ns + MILLISECOND)
+            self._questions = FREE_QUESTIONS
         self._outbox.add_json(op, request)
         self._outbox.add(Op.ASK)
         self._turn()

@@ -115,8 +115,10 @@ class ScriptNode:
             return
         self.graph.remove_node(self)
         self._told_to_end = True
-        if self._process is None:
-            self._end(kill=True)
+        if self._process is None or self._acting:
+            self._end(
+                kill=True
+            )  # it has not begun, or Ctrl-C came while it was busy: it hears nothing
             return
         self.outbox.add(Op.SHUTDOWN, reason.encode())
         self.resume_soon()

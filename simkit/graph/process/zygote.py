@@ -33,6 +33,8 @@ PRELOAD = (
     "resource",
     "rospy",
     "tf",
+    "tf2_ros",
+    "tf2_geometry_msgs",
     "geometry_msgs.msg",
     "std_msgs.msg",
     "turtlesim.msg",

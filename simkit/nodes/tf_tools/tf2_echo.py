@@ -22,6 +22,7 @@ from simkit.tf.rotation import roll_pitch_yaw
 from simkit.tf.transform import Transform
 from simkit.tools.command_line import ArgumentParser
 from simkit.tools.errors import UsageError
+from simkit.tools.numbers import leading_number
 from simkit.tools.program import Program
 
 
@@ -58,7 +59,7 @@ class Tf2Echo(Program):
     def __init__(self, node: Node, argv: list[str]) -> None:
         super().__init__(node)
         try:
-            self._options = _parse(argv, precision=int(node.get_param("~precision", 3)))
+            self._options = _parse(argv, precision=_precision(node))
         except UsageError as error:
             self._print(f"{error}\n")
             self._exit(2)
@@ -92,6 +93,10 @@ class Tf2Echo(Program):
             self._node.error(f"(current time {now.to_sec()}) {error}")
         else:
             self._print(_block(found, now.to_sec(), precision=options.precision))
+
+
+def _precision(node: Node) -> int:
+    return int(leading_number(str(node.get_param("~precision", 3))))
 
 
 def _parse(argv: list[str], *, precision: int) -> _Options:

@@ -41,14 +41,14 @@ class TfEcho(Program):
             self._print(USAGE)
             self._exit(255)
             return
-        rate = leading_number(argv[2]) if len(argv) == 3 else float(node.get_param("~rate", 1.0))
+        rate = leading_number(argv[2] if len(argv) == 3 else str(node.get_param("~rate", 1.0)))
         if rate <= 0.0:
             self._print("Echo rate must be > 0.0\n")
             self._exit(255)
             return
         self._frames = (argv[0], argv[1])
         self._period = Duration.from_nsec(round(1e9 / rate))
-        self._precision = int(node.get_param("~precision", 3))
+        self._precision = int(leading_number(str(node.get_param("~precision", 3))))
         self._buffer = Buffer()
         TransformListener(node, self._buffer)
         self._give_up = node.now() + FIRST_LOOK

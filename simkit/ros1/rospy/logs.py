@@ -38,7 +38,13 @@ def _say(level: int, msg: object, args: tuple[Any, ...]) -> None:
                 f"--- Logging error ---\n{where}\n{type(error).__name__}: {error}", file=sys.stderr
             )
             return
-    client.current().log(level, text)
+    client.current().log(level, text + _hints((msg, *args)))
+
+
+def _hints(values: tuple[Any, ...]) -> str:
+    """The hints of errors that a script logs, each on a line of its own."""
+    hints = [getattr(value, "hint", "") for value in values if isinstance(value, BaseException)]
+    return "".join(f"\nhint: {hint}" for hint in hints if isinstance(hint, str) and hint)
 
 
 def _plain(level: int) -> Callable[..., None]:

@@ -65,6 +65,23 @@ class Rate:
         return self.sleep_dur - elapsed
 
 
+class _Beat:
+    """The beat of a timer: late turns come at once, but who is late by more than two begins anew."""
+
+    def __init__(self, period_ns: int) -> None:
+        self._line = client.current()
+        self._period_ns = period_ns
+        self._last_ns = self._line.peek_ns()
+
+    def wait(self) -> None:
+        now = self._line.peek_ns()
+        self._last_ns += self._period_ns
+        if self._last_ns > now:
+            self._line.sleep_until(self._last_ns)
+        elif now - self._last_ns > 2 * self._period_ns:
+            self._last_ns = now
+
+
 class TimerEvent:
     """What a timer tells its callback."""
 
@@ -108,6 +125,8 @@ class Timer:
         self._reset = reset
         if not isinstance(period, simkit.msgs.Duration):
             raise TypeError(f"a Timer's period is a rospy.Duration, not {period!r}")
+        if period.to_nsec() <= 0:
+            raise ValueError(f"a Timer's period must be longer than {period.to_sec():g} s")
         self._task = client.current().scheduler.start(self._run, "timer")
 
     def shutdown(self) -> None:
@@ -125,13 +144,13 @@ class Timer:
         line.scheduler.join(self._task, until)
 
     def _run(self) -> None:
-        line = client.current()
+        line, beat = client.current(), _Beat(self._period.to_nsec())
         expected = get_rostime() + self._period
         last_expected: simkit.msgs.Time | None = None
         last_real: simkit.msgs.Time | None = None
         duration: float | None = None
         while not self._shutdown:
-            line.sleep_until(expected.to_nsec())
+            beat.wait()
             if self._shutdown or line.shutdown_reason is not None:
                 return
             real = get_rostime()

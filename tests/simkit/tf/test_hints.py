@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import traceback
+
 import pytest
 
 from simkit.msgs import Time
-from simkit.tf import Buffer, TransformException
+from simkit.tf import Buffer, LookupException, TransformException
+from simkit.tf.hints import attach
 
 
 @pytest.fixture
@@ -73,8 +76,8 @@ def test_into_the_future(buffer, stamped):
         buffer.set_transform(stamped("world", "turtle1", t))
     assert hint(buffer, "world", "turtle1", 6.024) == (
         'The newest transform of "turtle1" is 0.024 s older than the time you ask for: data '
-        "always arrives a little later. Ask for rospy.Time(0), the latest, or wait with "
-        "waitForTransform."
+        "always arrives a little later. Ask for rospy.Time(0), the latest, or wait: "
+        "waitForTransform in tf, a timeout in tf2."
     )
 
 
@@ -155,3 +158,18 @@ def test_full_lookups_and_common_times_have_hints_too(buffer, stamped):
     with pytest.raises(TransformException) as caught:
         buffer._chain("turtle1", Time(0), "turtle", Time(0), "world")
     assert "turtle1" in caught.value.hint
+
+
+def test_a_plain_traceback_ends_with_the_hint(buffer):
+    with pytest.raises(LookupException) as caught:
+        buffer.lookup_transform("world", "turtle1")
+    lines = traceback.format_exception_only(caught.value)
+    assert lines[-1] == f"hint: {caught.value.hint}\n"
+
+
+def test_a_hint_is_attached_once():
+    error = LookupException("text")
+    for hint in ("", "do this", "do this"):
+        attach(error, hint)
+    assert error.hint == "do this"
+    assert error.__notes__ == ["hint: do this"]

@@ -1,0 +1,83 @@
+"""Exercise 3.3, hidden checks: the other way round, jumps, and a turtle right behind."""
+
+import math
+
+import pytest
+
+from grader.checks import expect, points
+from grader.checks.following import come_near, drive, gap, samples, usual_bearing
+from grader.checks.given import broadcast_turtle
+
+SCRIPT = "turtle_tf_listener.py"
+
+
+@pytest.fixture
+def chase(sim, run_node):
+    """Turtlesim, both turtles' frames, and the student's node."""
+    sim.rosrun("turtlesim", "turtlesim_node")
+    for turtle in ("turtle1", "turtle2"):
+        broadcast_turtle(sim, turtle)
+    run_node(SCRIPT)
+    expect(
+        sim.run_until(lambda: "/turtle2/pose" in sim.topics() and sim.latest("/turtle2/pose"), 2.0),
+        "there is no turtle2 after 2 s",
+        hint='Wait for the service "spawn", then call it.',
+    )
+    return sim
+
+
+@points(1)
+def test_it_follows_to_the_right(chase, rng):
+    """When turtle1 circles clockwise, turtle2 follows too, and keeps looking at it."""
+    speed = rng.uniform(0.8, 1.1)
+    drive(chase, speed=speed, turn_rate=-speed / 2)
+    chase.run(8.0)
+    seen = samples(chase, 4.0)
+    farthest = max(gap(two, one) for one, two in seen)
+    expect(
+        farthest < 2.5,
+        f"turtle2 falls behind: it was {farthest:.1f} m away from turtle1",
+        hint="Look up at each turn of the loop, with rospy.Time(0), and send the command at once.",
+    )
+    angle = usual_bearing(seen)
+    expect(
+        angle < 0.8,
+        f"turtle2 looks up to {angle:.1f} rad past the turtle that it follows",
+        hint="Turn by four times the angle atan2(y, x): left and right alike.",
+    )
+
+
+@points(1)
+def test_it_comes_after_a_jump(chase, rng):
+    """After each jump of turtle1, turtle2 comes to the new place, nearer than 1 m within 15 s."""
+    for _ in range(2):
+        place = (rng.uniform(1, 10), rng.uniform(1, 10), rng.uniform(-math.pi, math.pi))
+        chase.call("/turtle1/teleport_absolute", *place)
+        chase.run(0.1)
+        distance = come_near(chase, 1.0, timeout=15.0)
+        expect(
+            distance < 1.0,
+            f"in the 15 s after a jump of turtle1, turtle2 came no nearer than {distance:.1f} m",
+            hint="Ask tf for the latest transform at each turn of the loop, and never stop asking.",
+        )
+
+
+@points(1)
+def test_it_turns_around(chase, rng):
+    """When turtle1 appears right behind it, turtle2 turns around and comes back."""
+    come_near(chase, 1.0, timeout=10.0)
+    for side in (1, -1):
+        two = chase.latest("/turtle2/pose")
+        home = math.atan2(5.5 - two.y, 5.5 - two.x)
+        chase.call("/turtle2/teleport_absolute", two.x, two.y, home + math.pi)
+        chase.run(0.1)
+        away = home + side * rng.uniform(0.1, 0.3)
+        place = (two.x + 4 * math.cos(away), two.y + 4 * math.sin(away), 0.0)
+        chase.call("/turtle1/teleport_absolute", *place)
+        chase.run(0.1)
+        distance = come_near(chase, 1.0, timeout=15.0)
+        expect(
+            distance < 1.0,
+            f"in 15 s turtle2 came no nearer than {distance:.1f} m to a turtle that was behind it",
+            hint="Use atan2(y, x), not atan(y / x): only atan2 knows what lies behind.",
+        )

@@ -1,0 +1,36 @@
+"""rospack."""
+
+import pytest
+
+
+@pytest.fixture(autouse=True)
+def in_a_workspace(package, monkeypatch):
+    monkeypatch.chdir(package.folder)
+    monkeypatch.delenv("SIMKIT_PACKAGE_PATH", raising=False)
+
+
+def test_packages_are_listed_with_their_folders(simkit, package):
+    code, out, _ = simkit("rospack", "list")
+    assert code == 0
+    assert f"play {package.folder / 'play'}\n" in out
+    assert "turtlesim (comes with simkit)\n" in out
+
+
+def test_a_package_is_found(simkit, package):
+    assert simkit("rospack", "find", "play") == (0, f"{package.folder / 'play'}\n", "")
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("paly", "did you mean 'play'"),
+        ("turtlesmi", "did you mean 'turtlesim'"),
+        ("turtlesim", "comes with simkit"),
+        ("sensor_msgs", "simkit rosmsg package sensor_msgs"),
+    ],
+)
+def test_what_is_not_found_is_explained(simkit, name, text):
+    code, out, err = simkit("rospack", "find", name)
+    assert (code, out) == (1, "")
+    assert text in err
+    assert err.count("\n") == 1
