@@ -26,6 +26,7 @@ from typing import Any
 from simkit.graph.process.child import make_modules_importable, run_node
 from simkit.graph.process.spec import StartSpec
 
+# Not tf2_geometry_msgs: a script imports it for what its import does, and must not find that done.
 PRELOAD = (
     "numpy",
     "numpy.random",
@@ -34,7 +35,6 @@ PRELOAD = (
     "rospy",
     "tf",
     "tf2_ros",
-    "tf2_geometry_msgs",
     "geometry_msgs.msg",
     "std_msgs.msg",
     "turtlesim.msg",

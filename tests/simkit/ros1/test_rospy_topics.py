@@ -78,7 +78,7 @@ PUBLISH_ERRORS = {
     "too large": ("numbers.publish(2**40)", "ROSSerializationException"),
     "array for number": (
         "import numpy; floats.publish(numpy.zeros(2))",
-        "ROSSerializationException: field data must be float type",
+        "ROSSerializationException: field data",
     ),
     "unregistered": (
         "words.unregister(); words.publish('x')",

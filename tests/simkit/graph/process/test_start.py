@@ -216,8 +216,11 @@ def test_starting_and_ending_leaves_no_descriptor_behind(runtime, start):
         _finish(process)
         if turn == 1:
             before = descriptors()
-    time.sleep(0.05)
-    assert descriptors() == before
+    for _ in range(100):  # a thread that forwards output closes its end in its own time
+        if descriptors() <= before:
+            break
+        time.sleep(0.02)
+    assert descriptors() <= before
 
 
 def test_simkit_alone_imports_no_numpy():
