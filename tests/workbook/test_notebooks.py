@@ -6,35 +6,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import nbformat
-import pytest
-from nbclient import NotebookClient
-
 from grader.authoring.start import start
 from grader.exercises import Exercise
 
-CELL_SECONDS = 120
-
 Run = Callable[[Path], list[Any]]
-
-
-@pytest.fixture
-def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
-    """A function that runs a notebook in its own folder and gives its cells."""
-    for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR"):
-        monkeypatch.setenv(name, str(tmp_path / name.lower()))
-    monkeypatch.delenv("JUPYTER_PATH", raising=False)
-
-    def run_notebook(path: Path) -> list[Any]:
-        notebook = nbformat.read(path, as_version=4)
-        resources = {"metadata": {"path": str(path.parent)}}
-        client = NotebookClient(
-            notebook, timeout=CELL_SECONDS, kernel_name="python3", resources=resources
-        )
-        client.execute()
-        return list(notebook.cells)
-
-    return run_notebook
 
 
 def started(course: Path, exercise: Exercise) -> Path:
@@ -82,3 +57,12 @@ def test_the_untouched_exercise_is_not_attempted(
     assert checks
     assert all(line.startswith("  ○ not attempted") for line in checks)
     assert errors(cells) == []
+
+
+def test_a_lecture_runs(root: Path, tmp_path: Path, run: Run) -> None:
+    lectures = sorted((root / "lectures").glob("*.ipynb"))
+    assert lectures
+    for lecture in lectures:
+        mine = tmp_path / lecture.name
+        mine.write_bytes(lecture.read_bytes())
+        assert errors(run(mine)) == []
