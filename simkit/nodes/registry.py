@@ -29,8 +29,8 @@ class BuiltinNode:
     """Its class, made with (node, argv)."""
     anonymous: bool = False
     """Whether several may run at once: each gets a number behind its name."""
-    watches: bool = False
-    """Whether it only prints what it sees, until Ctrl-C: a line of a notebook shows it for a moment."""
+    watch_seconds: float | None = None
+    """For one that only prints what it sees, until Ctrl-C: how long a line of a notebook shows it [s]."""
 
     def named(self, command_line: CommandLine, taken: Collection[str]) -> CommandLine:
         """The command line with a free name in it, if this node is anonymous and has none.
@@ -92,7 +92,7 @@ _BUILTIN = (
         module="simkit.nodes.tf_tools.tf_echo",
         class_name="TfEcho",
         anonymous=True,
-        watches=True,
+        watch_seconds=3.0,
     ),
     BuiltinNode(
         package="tf",
@@ -101,7 +101,7 @@ _BUILTIN = (
         module="simkit.nodes.tf_tools.tf_monitor",
         class_name="TfMonitor",
         anonymous=True,
-        watches=True,
+        watch_seconds=1.0,  # it prints five times a second
     ),
     BuiltinNode(
         package="tf",
@@ -125,7 +125,7 @@ _BUILTIN = (
         node_name="echo",
         module="simkit.nodes.tf_tools.tf2_echo",
         class_name="Tf2Echo",
-        watches=True,
+        watch_seconds=3.0,
     ),
     BuiltinNode(
         package="tf",
@@ -134,6 +134,7 @@ _BUILTIN = (
         module="simkit.viz.view_frames_program",
         class_name="TfViewFrames",
         anonymous=True,
+        watch_seconds=5.5,
     ),
     BuiltinNode(
         package="tf2_tools",
@@ -142,6 +143,7 @@ _BUILTIN = (
         module="simkit.viz.view_frames_program",
         class_name="Tf2ViewFrames",
         anonymous=True,
+        watch_seconds=5.5,
     ),
     BuiltinNode(
         package="rostopic",

@@ -18,8 +18,6 @@ from simkit.tools import Bounds, run_tool
 
 START_SECONDS = 0.5
 """How long a simulation runs after a node was started, so that its first faults show [s]."""
-WATCH_SECONDS = 3.0
-"""How long a node that only prints, such as tf_echo, is watched before it is ended [s]."""
 BOUNDS = Bounds(seconds=5.0, messages=10)
 """When `rostopic echo` and its kin end in a notebook."""
 _CTRL_C = ". Press ctrl-C to terminate"
@@ -47,13 +45,13 @@ def rosrun(words: list[str]) -> None:
     package, executable, *arguments = words[:-1] if in_background else words
     sim = current_simulation()
     definition = builtin_nodes().get((package, executable))
-    is_watched = definition is not None and definition.watches and not in_background
+    watched = None if definition is None or in_background else definition.watch_seconds
     with StartWatch(sim) as watch:
         node = sim.rosrun(package, executable, *arguments)
         try:
-            sim.run_until(lambda: not node.alive, WATCH_SECONDS if is_watched else START_SECONDS)
+            sim.run_until(lambda: not node.alive, watched or START_SECONDS)
         finally:
-            if is_watched:
+            if watched is not None:
                 node.shutdown()
     watch.show_rest(node)
 
