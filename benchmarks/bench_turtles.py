@@ -66,8 +66,18 @@ def main() -> None:
         for number in range(1, TURTLES + 1):
             me = f"turtle{number}"
             if number > 1:
-                sim.call("/spawn", x=1.0 + number % 4 * 3.0, y=1.0 + number // 4 * 3.0, theta=0.0, name=me)
-                words = (f"_turtle:={me}", f"_other:=turtle{number - 1}", f"__name:=follower_{number}")
+                sim.call(
+                    "/spawn",
+                    x=1.0 + number % 4 * 3.0,
+                    y=1.0 + number // 4 * 3.0,
+                    theta=0.0,
+                    name=me,
+                )
+                words = (
+                    f"_turtle:={me}",
+                    f"_other:=turtle{number - 1}",
+                    f"__name:=follower_{number}",
+                )
                 sim.rosrun("crowd", "follower.py", *words)
             sim.rosrun("crowd", "broadcaster.py", f"_turtle:={me}", f"__name:=broadcaster_{number}")
         circle = "{linear: {x: 1.0}, angular: {z: 0.5}}"
@@ -76,7 +86,15 @@ def main() -> None:
         start = time.perf_counter()
         sim.run(SECONDS)
         speed = SECONDS / (time.perf_counter() - start)
-    show(Figure("virtual seconds per second, 10 turtles, 19 scripts", speed, "x", 1.0, more_is_better=True))
+    show(
+        Figure(
+            "virtual seconds per second, 10 turtles, 19 scripts",
+            speed,
+            "x",
+            1.0,
+            more_is_better=True,
+        )
+    )
 
 
 if __name__ == "__main__":

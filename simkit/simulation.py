@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import math
 import weakref
 import zlib
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING
 
-import yaml
-
-from simkit import msgs
-from simkit.errors import SimkitError, UnknownNameError
-from simkit.graph import Executor, Graph, LogRecord, Node, ServiceFailed
+from simkit.errors import UnknownNameError
+from simkit.graph import Executor, Graph, LogRecord
 from simkit.graph.errors import GraphError
+from simkit.graph.executor import nanoseconds
 from simkit.graph.names import split_command_line
 from simkit.graph.params import ParameterServer
 from simkit.graph.process import (
@@ -25,12 +22,12 @@ from simkit.graph.process import (
     shared_runtime,
 )
 from simkit.graph.screen import Screen, StreamScreen
-from simkit.msgs import Duration, Message, Time
+from simkit.msgs import Time
 from simkit.nodes import builtin_nodes
 from simkit.packages import PackagePath
-from simkit.recording import Recording
 from simkit.running import RunningBuiltin
 from simkit.seeing import Seeing
+from simkit.talking import Talking
 from simkit.tf import Buffer, TransformListener
 
 if TYPE_CHECKING:
@@ -39,10 +36,9 @@ if TYPE_CHECKING:
 EPOCH_NS = 1_600_088_400 * 10**9
 """Virtual time at the start [ns]: 14 September 2020, 13:00 UTC, the hour of the lecture."""
 _DEFAULT_SCREEN = StreamScreen()
-MessageT = TypeVar("MessageT", bound=Message)
 
 
-class Simulation(Seeing):
+class Simulation(Talking, Seeing):
     """A world of nodes on virtual time. Same seed, same bytes.
 
     Args:
@@ -113,14 +109,14 @@ class Simulation(Seeing):
         """
         self._require_open()
         executor = self.graph.executor
-        executor.run_to(executor.now_ns + _nanoseconds(seconds))
+        executor.run_to(executor.now_ns + nanoseconds(seconds))
         self._refresh_views()
 
     def run_until(self, predicate: Callable[[], bool], timeout: float) -> bool:
         """Let virtual time pass until `predicate()` holds, at most `timeout` [s]; whether it holds."""
         self._require_open()
         executor = self.graph.executor
-        holds = executor.run_to(executor.now_ns + _nanoseconds(timeout), predicate)
+        holds = executor.run_to(executor.now_ns + nanoseconds(timeout), predicate)
         self._refresh_views()
         return holds
 
@@ -193,131 +189,6 @@ class Simulation(Seeing):
         """The parameter server."""
         return self.graph.params
 
-    # -- topics
-
-    def topics(self) -> dict[str, str]:
-        """Type of each topic in use, by name."""
-        return self.graph.topic_types()
-
-    def rostopic_pub(
-        self,
-        topic: str,
-        type_name: str,
-        value: str | Mapping[str, Any] | Sequence[Any] | Message = "{}",
-        *,
-        rate: float | None = None,
-    ) -> Node:
-        """Publish as `rostopic pub` does.
-
-        Args:
-            topic: Topic name.
-            type_name: E.g. `geometry_msgs/Twist`.
-            value: YAML text, the same as Python values, or a message.
-            rate: Repeat so often [Hz]; once and latched if None.
-
-        Returns:
-            The node that publishes; `shutdown()` ends it.
-        """
-        self._require_open()
-        if rate is not None and not rate > 0:
-            raise SimkitError(f"a rate of {rate} Hz is none: give a number above 0")
-        message = self._message(type_name, value)
-        node = self.graph.create_node(self._free_name("/rostopic"))
-        publisher = node.advertise(topic, type(message), latch=rate is None)
-        publisher.publish(message)
-        if rate is not None:
-            node.create_timer(
-                Duration.from_nsec(_nanoseconds(1.0 / rate)), lambda: publisher.publish(message)
-            )
-        return node
-
-    def latest(self, topic: str) -> Any:
-        """The last message of a topic, or None if there was none yet.
-
-        Raises:
-            UnknownNameError: No node uses the topic.
-        """
-        entry = self.graph.topics.get(self._node.resolve(topic))
-        if entry is None:
-            raise UnknownNameError("topic", self._node.resolve(topic), self.topics())
-        return None if entry.last is None else entry.message_class.from_bytes(entry.last)
-
-    def wait_for_message(self, topic: str, timeout: float = 10.0) -> Any:
-        """Let virtual time pass until the next message of a topic, and return it.
-
-        Raises:
-            UnknownNameError: No node uses the topic.
-            SimkitError: None came within `timeout` [s].
-        """
-        with_messages = self.record([topic])
-        name = with_messages.topics()[0]
-        try:
-            if self.run_until(lambda: bool(with_messages.raw(name)), timeout):
-                return with_messages[name][0][1]
-        finally:
-            with_messages.stop()
-        raise SimkitError(f"no message on {name} within {timeout:g} s")
-
-    def record(self, topics: Iterable[str] | Mapping[str, str]) -> Recording:
-        """Record topics from now on.
-
-        Args:
-            topics: Names of topics in use, or names with types for topics that are still to come.
-
-        Raises:
-            UnknownNameError: A topic is not in use and no type is given.
-        """
-        given = dict(topics) if isinstance(topics, Mapping) else dict.fromkeys(topics)
-        classes: dict[str, type[Message]] = {}
-        for name, type_name in given.items():
-            resolved = self._node.resolve(name)
-            entry = self.graph.topics.get(resolved)
-            if type_name is not None:
-                classes[resolved] = msgs.message_class(type_name)
-            elif entry is not None:
-                classes[resolved] = entry.message_class
-            else:
-                raise UnknownNameError("topic", resolved, self.topics())
-        return Recording(self._node, classes)
-
-    # -- services
-
-    def services(self) -> dict[str, str]:
-        """Type of each service on offer, by name."""
-        return {
-            name: server.service_class._type for name, server in sorted(self.graph.services.items())
-        }
-
-    def call(self, service: str, *arguments: Any, timeout: float = 10.0, **fields: Any) -> Any:
-        """Call a service and let virtual time pass until it answers.
-
-        Args:
-            service: Service name.
-            *arguments: All fields of the request in order,
-            timeout: Virtual time to wait for the answer [s].
-            **fields: or some of them by name.
-
-        Raises:
-            UnknownNameError: Nobody offers the service.
-            ServiceFailed: The server refused, or did not answer in time.
-        """
-        self._require_open()
-        name = self._node.resolve(service)
-        if name not in self.graph.services:
-            raise UnknownNameError("service", name, self.graph.services)
-        service_class = self.graph.services[name].service_class
-        request = service_class._request_class(*arguments, **fields)
-        answers: list[tuple[bool, bytes]] = []
-        self.graph.call_service(
-            name, request.to_bytes(), self._node.name, lambda ok, data: answers.append((ok, data))
-        )
-        if not self.run_until(lambda: bool(answers), timeout):
-            raise ServiceFailed(f"service {name} did not answer within {timeout:g} s")
-        success, data = answers[0]
-        if not success:
-            raise ServiceFailed(f"service {name}: {data.decode(errors='replace')}")
-        return service_class._response_class.from_bytes(data)
-
     # -- private
 
     def _require_open(self) -> None:
@@ -336,23 +207,6 @@ class Simulation(Seeing):
             raise UnknownNameError("package", package, known) from None
         path = found.find_executable(executable)
         return _Script(path, path.relative_to(found.folder.parent).as_posix())
-
-    def _free_name(self, base: str) -> str:
-        number = 1
-        while f"{base}_{number}" in self.graph.nodes:
-            number += 1
-        return f"{base}_{number}"
-
-    def _message(self, type_name: str, value: Any) -> Message:
-        if isinstance(value, Message):
-            if value._type != type_name:
-                raise SimkitError(f"the message is a {value._type}, not a {type_name}")
-            return value
-        try:
-            parsed = yaml.safe_load(value) if isinstance(value, str) else value
-        except yaml.YAMLError as error:
-            raise SimkitError(f"{value!r} is not YAML: {error}") from error
-        return msgs.fill_message(msgs.message_class(type_name), parsed, now=self.now)
 
 
 _made: list[weakref.ref[Simulation]] = []
@@ -376,12 +230,6 @@ def _close_abandoned() -> None:
     while _abandoned:
         for script in _abandoned.pop():
             script.close()
-
-
-def _nanoseconds(seconds: float) -> int:
-    if not math.isfinite(seconds) or seconds < 0:
-        raise SimkitError(f"a time of {seconds} s cannot pass: give a number of seconds, 0 or more")
-    return round(seconds * 1e9)
 
 
 class _Script:

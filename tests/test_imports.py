@@ -35,8 +35,9 @@ MAY_IMPORT = {
     "simkit.running": "simkit.graph simkit.nodes",
     "simkit.seeing": "simkit.errors simkit.msgs simkit.tf simkit.nodes simkit.recording simkit.running "
     "simkit.viz",
+    "simkit.talking": "simkit.errors simkit.msgs simkit.graph simkit.recording",
     "simkit.simulation": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tf.listener "
-    "simkit.nodes simkit.packages simkit.recording simkit.running simkit.seeing",
+    "simkit.nodes simkit.packages simkit.recording simkit.running simkit.seeing simkit.talking",
     # pictures of what is known; a simulation hands them out, lazily
     "simkit.viz": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tools simkit.nodes "
     "simkit.recording",
@@ -82,7 +83,7 @@ EXCEPTIONS = {
 # A library without a row may be imported nowhere.
 LIBRARIES = {
     "numpy": ("simkit.tf.transformations", "simkit.graph.process.virtual_time"),
-    "yaml": ("simkit.graph.names simkit.simulation simkit.tools", "simkit.msgs.strify"),
+    "yaml": ("simkit.graph.names simkit.talking simkit.tools", "simkit.msgs.strify"),
     "matplotlib": ("simkit.nodes.turtlesim.png simkit.viz", ""),
     "rosbags": ("", "simkit.msgs.generate"),
     "pytest": ("grader.checks grader.run.checker", ""),

@@ -18,7 +18,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Host a simulation until Ctrl-C."""
     if running_session() is not None:
         raise SimkitError("it cannot run here: a simulation is running already in another terminal")
-    with Simulation(arguments.seed) as sim:
+    with Simulation(arguments.seed, screen=None) as sim:
         show("a simulation runs; other terminals join it with simkit rosrun ...; Ctrl-C ends it\n")
         host(sim, lambda: False)
     return 0

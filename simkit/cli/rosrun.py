@@ -12,8 +12,9 @@ from typing import TypeAlias
 
 from simkit.cli.pace import run_for_a_person
 from simkit.cli.parser import CommandParser
-from simkit.cli.sharing import elsewhere, host, running_session
+from simkit.cli.sharing import OnlyFrom, elsewhere, host, running_session
 from simkit.graph.process import ScriptNode
+from simkit.graph.screen import StreamScreen
 from simkit.running import RunningBuiltin
 from simkit.simulation import Simulation
 
@@ -52,6 +53,7 @@ def run(arguments: argparse.Namespace) -> int:
         if alone:
             end = run_for_a_person(sim, is_over, seconds=arguments.seconds, fast=arguments.fast)
         else:
+            sim.graph.screen = OnlyFrom(lambda: node.name, StreamScreen())
             end = "interrupted" if host(sim, is_over) else "over"
         if end == "interrupted":
             node.shutdown()

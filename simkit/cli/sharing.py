@@ -8,6 +8,8 @@ from collections.abc import Callable, Sequence
 
 from simkit.cli.complaint import USAGE_ERROR
 from simkit.cli.interrupt import Interrupt
+from simkit.graph import LogRecord
+from simkit.graph.screen import Screen
 from simkit.live import Host, Session, SessionError, call, find_session
 from simkit.live.commands import live_commands
 from simkit.simulation import Simulation
@@ -22,6 +24,29 @@ def host(sim: Simulation, until: Callable[[], bool]) -> bool:
     with interrupt.caught():
         Host(sim, live_commands()).serve(lambda: interrupt.came or until())
     return interrupt.came
+
+
+class OnlyFrom:
+    """A screen for one node: what the others say belongs into their own terminals.
+
+    Args:
+        name: Gives the node's name, which it may say later than it begins.
+        screen: Where it is shown.
+    """
+
+    def __init__(self, name: Callable[[], str], screen: Screen) -> None:
+        self._name = name
+        self._screen = screen
+
+    def record(self, record: LogRecord) -> None:
+        """Show the node's own lines of rosout."""
+        if record.node == self._name():
+            self._screen.record(record)
+
+    def output(self, node: str, text: str) -> None:
+        """Show what the node itself prints."""
+        if node == self._name():
+            self._screen.output(node, text)
 
 
 def running_session() -> Session | None:

@@ -7,9 +7,21 @@ Nothing here looks at the wall clock, so the same events run in the same order o
 from __future__ import annotations
 
 import heapq
+import math
 from collections.abc import Callable
 
 from simkit.graph.errors import GraphError
+
+
+def nanoseconds(seconds: float) -> int:
+    """A span of virtual time [s] in nanoseconds.
+
+    Raises:
+        GraphError: It is negative, or not finite.
+    """
+    if not math.isfinite(seconds) or seconds < 0:
+        raise GraphError(f"a time of {seconds} s cannot pass: give a number of seconds, 0 or more")
+    return round(seconds * 1e9)
 
 
 class ScheduledEvent:

@@ -21,8 +21,10 @@ class Mimic:
 
     def __init__(self, node: Node, _argv: list[str]) -> None:
         self._twist_class: Any = message_class("geometry_msgs/Twist")
-        self._publisher = node.advertise("output/cmd_vel", self._twist_class, queue_size=1)
-        node.subscribe("input/pose", message_class("turtlesim/Pose"), self._on_pose, queue_size=1)
+        # `input` and `output` are namespaces, and a remapping moves a whole one: input:=turtle1.
+        output, pose = node.resolve("output") + "/cmd_vel", node.resolve("input") + "/pose"
+        self._publisher = node.advertise(output, self._twist_class, queue_size=1)
+        node.subscribe(pose, message_class("turtlesim/Pose"), self._on_pose, queue_size=1)
 
     def _on_pose(self, pose: Any) -> None:
         twist = self._twist_class()
