@@ -9,10 +9,16 @@ Functions hand out numpy arrays, and tuples of floats where tf does.
 
 Source:
     The names, arguments and kinds of result are those of tf 1.13; the code is written from the
-    mathematics. The virtual trackball (`Arcball`) is left out.
+    mathematics.
 """
 
 from simkit.tf.transformations.alignment import superimposition_matrix
+from simkit.tf.transformations.arcball import (
+    Arcball,
+    arcball_constrain_to_axis,
+    arcball_map_to_sphere,
+    arcball_nearest_axis,
+)
 from simkit.tf.transformations.decomposition import (
     compose_matrix,
     decompose_matrix,
@@ -63,6 +69,10 @@ from simkit.tf.transformations.sampling import (
 from simkit.tf.transformations.vectors import unit_vector, vector_norm
 
 __all__ = [
+    "Arcball",
+    "arcball_constrain_to_axis",
+    "arcball_map_to_sphere",
+    "arcball_nearest_axis",
     "clip_matrix",
     "compose_matrix",
     "concatenate_matrices",
