@@ -198,7 +198,7 @@
   for (const name of Object.keys(actions)) document.getElementById(name).addEventListener("click", actions[name]);
   document.getElementById("names").addEventListener("change", redraw);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", measure);
-  addEventListener("resize", measure);
   reset();
-  measure();
+  // Also the first time: a notebook loads this page before it has given it any room.
+  new ResizeObserver(measure).observe(canvas);
 })();
