@@ -198,7 +198,10 @@
   for (const name of Object.keys(actions)) document.getElementById(name).addEventListener("click", actions[name]);
   document.getElementById("names").addEventListener("change", redraw);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", measure);
+  // A notebook loads this page before it gives it any room, and tells of no resize when it does.
+  new ResizeObserver(() => {
+    if (canvas.clientWidth !== size[0] || canvas.clientHeight !== size[1]) measure();
+  }).observe(canvas);
   reset();
-  // Also the first time: a notebook loads this page before it has given it any room.
-  new ResizeObserver(measure).observe(canvas);
+  measure();
 })();
