@@ -28,7 +28,7 @@ class StartedProcess:
     connection: socket.socket
     """Connected to the node; non-blocking reads are the holder's business."""
     output: socket.socket | int
-    """Where its standard output and error arrive: something `select` takes."""
+    """Where its standard output and error arrive: something that can be polled."""
     trace_fd: int | None
     """Where its stack arrives after `ask_stack`."""
     pid: int

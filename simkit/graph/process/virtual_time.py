@@ -10,7 +10,7 @@ from typing import Any
 
 _real_datetime = datetime_module.datetime
 _real_date = datetime_module.date
-_real_gmtime, _real_localtime = time.gmtime, time.localtime
+_real_gmtime = time.gmtime
 
 
 def virtualise_time(read_ns: Callable[[], int], sleep: Callable[[float], None]) -> None:

@@ -102,6 +102,24 @@ def test_every_axis_colour_is_on_the_canvas(turtles, run_in_page):
     assert min(counts) > 30
 
 
+def test_a_canvas_that_gets_its_room_late_is_drawn_in_it(turtles, run_in_page):
+    # A notebook loads the page without room and tells of no resize of the window when it gives it some.
+    sizes = run_in_page(
+        FramesView(turtles).to_html(),
+        """
+        const canvas = document.getElementById("scene"), found = [];
+        for (const shown of ["none", "block"]) {
+          canvas.style.display = shown;
+          for (let i = 0; i < 4; i++) await frame();
+          found.push(canvas.width);
+        }
+        return found;
+        """,
+    )
+    assert sizes[0] == 0
+    assert sizes[1] > 100
+
+
 def test_an_empty_view_is_drawn_too(buffer, run_in_page):
     assert run_in_page(FramesView(buffer).to_html(), "await frame(); return 1;") == 1
 
