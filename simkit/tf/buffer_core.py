@@ -14,6 +14,7 @@ from simkit.tf.frame_table import NO_FRAME, FrameTable
 from simkit.tf.path import frames_between, transform_between
 from simkit.tf.rotation import compose, through_matrix
 from simkit.tf.transform import IDENTITY, ORIGIN, Quaternion, Transform, Vector
+from simkit.tf.transformable import TransformableRequests
 
 DEFAULT_CACHE_TIME: Final = 10_000_000_000
 "How long a buffer remembers [ns]."
@@ -30,6 +31,9 @@ class BufferCore:
         cache_time_ns: How long a moving frame is remembered [ns].
         on_warning: Is given tf's sentence for each transform or name that is refused.
 
+    Attributes:
+        requests: Who wants to be called as soon as a lookup answers.
+
     Source:
         tf2 `BufferCore`, Noetic. Stamps are exact to 1 ns, as in C++.
     """
@@ -42,6 +46,7 @@ class BufferCore:
         self.cache_time = cache_time_ns
         self.on_warning = on_warning
         self.frames = FrameTable(cache_time_ns)
+        self.requests = TransformableRequests(self)
 
     def set_transform(
         self,
@@ -85,6 +90,8 @@ class BufferCore:
             )
             if not refusal:
                 self.frames.authorities[self.frames.number(child)] = authority
+                if self.requests:
+                    self.requests.test()
                 return True
             faults = [
                 f"{refusal} for frame {child} (parent {parent}) at time {stamp / 1e9:f} "
