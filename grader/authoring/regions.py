@@ -3,6 +3,9 @@
 In XML the marks are comments of XML, `<!-- solution: what to do -->`. Each stands alone on its
 line. The solution loses the two lines of marks; the student's version has `# TODO: what to do`
 (or `<!-- TODO: ... -->`) in place of the region, and a `pass` where Python would break without.
+
+A region may end with a faulty text for students to find and mend, behind the mark `# instead`
+(`<!-- instead -->`). They get that text as it is, without a TODO that would point at the fault.
 """
 
 from __future__ import annotations
@@ -16,6 +19,7 @@ _OPEN = re.compile(
     r"(?P<indent>[ \t]*)(?P<sign>#|<!--) solution:(?P<prompt>.*?)(?P<end>-->)?[ \t]*"
 )
 _CLOSE = re.compile(r"[ \t]*(?:# end solution|<!-- end solution -->)[ \t]*")
+_INSTEAD = re.compile(r"[ \t]*(?:# instead|<!-- instead -->)[ \t]*")
 _NEARLY = re.compile(r"(?i)[ \t]*(?:#|<!--)[ \t]*(?:end[ \t_-]*(?:of[ \t]+)?)?solution\b.*")
 
 
@@ -41,7 +45,20 @@ class Region:
     """What the student is to do."""
     is_xml: bool
     body: tuple[str, ...]
-    """The lines between the marks."""
+    """The lines that only the solution has."""
+    instead: tuple[str, ...] | None = None
+    """The lines that students get in their place; None for a note of what to do."""
+
+    @property
+    def body_stop(self) -> int:
+        """Index of the line behind the body: the mark `instead`, or the closing one."""
+        return self.start + 1 + len(self.body)
+
+    def for_students(self, *, needs_pass: bool) -> list[str]:
+        """The lines that students get in place of the whole region."""
+        if self.instead is not None:
+            return list(self.instead)
+        return [self.todo()] + [f"{self.indent}pass"] * needs_pass
 
     def todo(self) -> str:
         """The line that the student finds instead."""
@@ -85,19 +102,40 @@ def _region(lines: list[str], start: int, stop: int, mark: re.Match[str]) -> Reg
         raise RegionError("`solution:` must say what the student is to do", start + 1)
     if is_xml != (mark["end"] is not None):
         raise RegionError("the mark is not one whole comment", start + 1)
-    body = tuple(lines[start + 1 : stop])
+    body, instead = _parts(lines, start, stop)
     if not any(line.strip() for line in body):
         raise RegionError("the region is empty", start + 1)
     return Region(
-        start=start, stop=stop, indent=mark["indent"], prompt=prompt, is_xml=is_xml, body=body
+        start=start,
+        stop=stop,
+        indent=mark["indent"],
+        prompt=prompt,
+        is_xml=is_xml,
+        body=body,
+        instead=instead,
     )
+
+
+def _parts(
+    lines: list[str], start: int, stop: int
+) -> tuple[tuple[str, ...], tuple[str, ...] | None]:
+    marks = [index for index in range(start + 1, stop) if _INSTEAD.fullmatch(lines[index])]
+    if len(marks) > 1:
+        raise RegionError("a second `instead` in one region", marks[1] + 1)
+    if not marks:
+        return tuple(lines[start + 1 : stop]), None
+    return tuple(lines[start + 1 : marks[0]]), tuple(lines[marks[0] + 1 : stop])
 
 
 def solution_text(text: str) -> str:
     """The text without its marks."""
-    marks = {index for region in find_regions(text) for index in (region.start, region.stop)}
+    left_out = {
+        index
+        for region in find_regions(text)
+        for index in (region.start, *range(region.body_stop, region.stop + 1))
+    }
     lines = text.split("\n")
-    return "\n".join(line for index, line in enumerate(lines) if index not in marks)
+    return "\n".join(line for index, line in enumerate(lines) if index not in left_out)
 
 
 def student_text(text: str, *, is_valid: Callable[[str], bool] | None = None) -> str:
@@ -127,7 +165,7 @@ def student_text(text: str, *, is_valid: Callable[[str], bool] | None = None) ->
 def _replaced(text: str, regions: list[Region], *, passes: frozenset[int]) -> str:
     lines = text.split("\n")
     for region in reversed(regions):
-        new = [region.todo()] + [f"{region.indent}pass"] * (region.start in passes)
+        new = region.for_students(needs_pass=region.start in passes)
         lines[region.start : region.stop + 1] = new
     return "\n".join(lines)
 

@@ -44,9 +44,9 @@ class SourceCell:
         return written_file(self.text) if self.kind == "code" else None
 
     def region_lines(self) -> frozenset[int]:
-        """Indices of the lines inside its regions, marks left out."""
+        """Indices of the lines that only the solution has, marks left out."""
         return frozenset(
-            index for region in self.regions for index in range(region.start + 1, region.stop)
+            index for region in self.regions for index in range(region.start + 1, region.body_stop)
         )
 
     def for_solution(self) -> str:

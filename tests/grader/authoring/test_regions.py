@@ -102,6 +102,7 @@ _LINES = st.sampled_from(
         "if x:",
         "    y = 2",
         "# solution: a",
+        "# instead",
         "    # solution: b",
         "# end solution",
         "    # end solution",
@@ -120,3 +121,43 @@ def test_any_text_gives_valid_python_without_marks_or_a_region_error(text: str) 
     assert is_python(made) or not find_regions(text)
     assert "solution" not in made
     assert "solution" not in solution_text(text)
+
+
+FAULTY = """\
+<joint name="fixed" type="fixed">
+  <!-- solution: mend the parent -->
+  <parent link="world"/>
+  <!-- instead -->
+  <parent link="wrold"/>
+  <!-- end solution -->
+</joint>"""
+
+
+def test_students_get_the_faulty_text_and_no_note_that_points_at_it() -> None:
+    assert student_text(FAULTY) == (
+        '<joint name="fixed" type="fixed">\n  <parent link="wrold"/>\n</joint>'
+    )
+
+
+def test_the_solution_keeps_nothing_of_the_faulty_text() -> None:
+    assert solution_text(FAULTY) == (
+        '<joint name="fixed" type="fixed">\n  <parent link="world"/>\n</joint>'
+    )
+
+
+def test_the_body_of_a_region_is_what_only_the_solution_has() -> None:
+    (region,) = find_regions(FAULTY)
+    assert region.body == ('  <parent link="world"/>',)
+    assert region.instead == ('  <parent link="wrold"/>',)
+
+
+def test_the_faulty_text_may_be_empty() -> None:
+    text = "# solution: add the line\nx = 1\n# instead\n# end solution"
+    assert student_text(text) == ""
+    assert solution_text(text) == "x = 1"
+
+
+def test_a_region_has_one_faulty_text() -> None:
+    with pytest.raises(RegionError, match="second `instead`") as caught:
+        find_regions("# solution: a\nx\n# instead\ny\n# instead\nz\n# end solution")
+    assert caught.value.line == 5
