@@ -46,6 +46,7 @@ lint: $(READY)
 build: $(READY)
 	$(BIN)/grader build
 	$(BIN)/python docs/exercise_list.py
+	$(BIN)/python docs/robots/make_pages.py
 
 bench: $(READY)
 	@for file in benchmarks/bench_*.py; do $(BIN)/python $$file || exit 1; done

@@ -5,10 +5,12 @@ from __future__ import annotations
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 from figures import Figure, median_of, show
 
 RUNS = 15
+ROBOT = str(Path(__file__).parents[1] / "robots/hello_ros/urdf/hello_ros_robot_3.urdf")
 COMMAND = (
     "import sys; from simkit.cli import main; sys.exit(main())"  # what the installed script does
 )
@@ -20,6 +22,7 @@ COLD: dict[str, tuple[list[str], float | None]] = {
         ["-c", COMMAND, "rosmsg", "show", "geometry_msgs/Twist"],
         150.0,
     ),
+    "simkit check_urdf hello_ros_robot_3.urdf": (["-c", COMMAND, "check_urdf", ROBOT], 150.0),
 }
 
 

@@ -5,10 +5,11 @@ import pytest
 from grader.checks import after, expect, expect_close, points
 from grader.checks.answers import given_answer
 from grader.checks.following import bearing, come_near, drive, gap, samples, usual_bearing
-from grader.checks.given import broadcast_turtle
+from grader.checks.given import broadcast_turtle, without_broadcasters
 from grader.checks.turtles import TurtleWatch
 
 SCRIPT = "turtle_tf_listener.py"
+LAUNCH = "start_turtles.launch"
 
 
 @pytest.fixture
@@ -129,7 +130,7 @@ def test_it_looks_at_turtle1(sim, chase, rng):
     )
 
 
-@points(2)
+@points(1)
 @after("test_it_comes_to_turtle1", "test_it_looks_at_turtle1")
 def test_it_follows_a_turtle_that_drives(sim, chase):
     """When turtle1 drives a circle of radius 2 m, turtle2 follows, never more than 2.5 m behind."""
@@ -152,6 +153,39 @@ def expect_to_follow(seen):
         angle < 0.8,
         f"turtle2 looks up to {angle:.1f} rad past the turtle that it follows",
         hint="Turn by four times the angle to turtle1, and look it up at each turn of the loop.",
+    )
+
+
+@points(1)
+@after("test_it_comes_to_turtle1")
+def test_the_launch_file_starts_it_all(sim, launch_plan, roslaunch):
+    """The launch file starts turtlesim, a broadcaster for each turtle, and the listener: turtle2 comes."""
+    plan, turtles = without_broadcasters(launch_plan(LAUNCH))
+    served = " and ".join(turtles) or "no turtle"
+    expect(
+        turtles == ["turtle1", "turtle2"],
+        f"turtle_tf_broadcaster.py is started for {served}, not for turtle1 and turtle2",
+        hint='One <node> for each turtle, the second with args="_turtle:=turtle2".',
+    )
+    roslaunch(plan)
+    for turtle in turtles:
+        broadcast_turtle(sim, turtle)
+    sim.run(0.5)
+    expect(
+        "/spawn" in sim.services(),
+        "no turtlesim was started",
+        hint='turtlesim is a <node> too: pkg="turtlesim" type="turtlesim_node".',
+    )
+    expect(
+        sim.run_until(lambda: "/turtle2/pose" in sim.topics() and sim.latest("/turtle2/pose"), 2.0),
+        "the launch file was started, but there is no turtle2",
+        hint=f'Is your listener among the nodes? pkg="hello_ros" type="{SCRIPT}".',
+    )
+    nearest = come_near(sim, 1.0, timeout=20.0)
+    expect(
+        nearest < 1.0,
+        f"all is started, but turtle2 comes no nearer than {nearest:.1f} m",
+        hint="Are names of topics changed by a namespace (ns=) or a <remap>?",
     )
 
 

@@ -33,7 +33,9 @@ class NodesMay:
     services: tuple[str, ...] = ()
     """Services they may call, e.g. "/spawn"."""
     parameters: tuple[str, ...] = ()
-    """Parameters they may set."""
+    """Parameters they may set, and a launch file too."""
+    launch: tuple[str, ...] = ()
+    """Built-in nodes that a launch file may start, e.g. "turtlesim/turtlesim_node"."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -221,7 +223,7 @@ def _texts(table: dict[str, object], key: str) -> tuple[str, ...]:
 
 
 def _nodes_may(value: object) -> NodesMay:
-    allowed = ("publish", "services", "parameters")
+    allowed = ("publish", "services", "parameters", "launch")
     if not isinstance(value, dict) or not set(value) <= set(allowed):
         raise ValueError(f"`nodes_may` has the keys {', '.join(allowed)} (lists of names)")
     return NodesMay(**{key: _texts(value, key) for key in allowed})

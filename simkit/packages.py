@@ -1,7 +1,7 @@
 """ROS packages on disk: where they are, and which file a command line means.
 
-Source: rospack (a folder with a `package.xml` is a package, named by its folder here) and rosrun (an executable is found by its
-file name anywhere in the package).
+Source: rospack (a folder with a `package.xml` is a package, named by its folder here; one with a file `CATKIN_IGNORE` is passed
+over) and rosrun (an executable is found by its file name anywhere in the package).
 """
 
 from __future__ import annotations
@@ -16,6 +16,8 @@ from simkit.errors import SimkitError, UnknownNameError, near_names
 MAX_DEPTH = 5
 """How deep below a folder of the path a package may lie."""
 PATH_VARIABLE = "SIMKIT_PACKAGE_PATH"
+IGNORED = "CATKIN_IGNORE"
+"""A folder with a file of this name is passed over, with all that is in it, unless the path names that very folder."""
 _SKIPPED = {".git", ".venv", "node_modules", "__pycache__", ".ipynb_checkpoints"}
 
 
@@ -55,12 +57,32 @@ class PackagePath:
 
     Args:
         folders: Searched first, in order; the working folder if None. Those of SIMKIT_PACKAGE_PATH follow.
+        confined: Whether files outside of the packages are out of reach, and the environment too: for work of people
+            who are not trusted.
     """
 
-    def __init__(self, folders: Sequence[str | Path] | None = None) -> None:
-        more = [part for part in os.environ.get(PATH_VARIABLE, "").split(os.pathsep) if part]
+    def __init__(
+        self, folders: Sequence[str | Path] | None = None, *, confined: bool = False
+    ) -> None:
+        variable = "" if confined else os.environ.get(PATH_VARIABLE, "")
+        more = [part for part in variable.split(os.pathsep) if part]
         given = list(folders) if folders is not None else [Path.cwd()]
         self.folders = [Path(folder).absolute() for folder in [*given, *more]]
+        self.confined = confined
+
+    def may_read(self, path: str | Path) -> bool:
+        """Whether a file that somebody's launch file or robot names may be opened.
+
+        Where nothing is confined, any file. Otherwise one inside of a package, whatever links lead there.
+        """
+        if not self.confined:
+            return True
+        try:
+            real = Path(path).resolve()
+            folders = [package.folder.resolve() for package in self.packages().values()]
+        except (OSError, RuntimeError, ValueError):
+            return False  # links in a circle, or no path at all
+        return any(real.is_relative_to(folder) for folder in folders)
 
     def packages(self) -> dict[str, Package]:
         """Every package on the path, by name."""
@@ -99,8 +121,12 @@ def _manifests(folder: Path, depth: int) -> Iterator[Path]:
     if depth == 0 or not folder.is_dir():
         return
     for child in sorted(folder.iterdir()):
-        if child.is_dir() and not child.is_symlink() and child.name not in _SKIPPED:
+        if child.is_dir() and not child.is_symlink() and not _is_ignored(child):
             yield from _manifests(child, depth - 1)
+
+
+def _is_ignored(folder: Path) -> bool:
+    return folder.name in _SKIPPED or (folder / IGNORED).exists()
 
 
 def _files(folder: Path) -> Iterator[Path]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -10,21 +11,43 @@ from simkit.msgs import Time
 from simkit.tf import Buffer, echo_text
 
 if TYPE_CHECKING:
+    from simkit.graph import Graph
+    from simkit.graph.process import ScriptNode
+    from simkit.nodes.joint_state_publisher import JointStatePublisherGui
+    from simkit.packages import PackagePath
     from simkit.recording import Recording
     from simkit.running import RunningBuiltin
-    from simkit.viz import FramesPicture, FramesView, TransformPlot, TurtlesimView
+    from simkit.viz import (
+        FramesPicture,
+        JointSliders,
+        LiveRviz,
+        RvizReplay,
+        RvizSettings,
+        RvizView,
+        SceneSource,
+        TransformPlot,
+        TurtlesimView,
+    )
 
 
 class Seeing:
     """The part of `Simulation` that shows; pictures are made when they are asked for."""
 
+    graph: Graph
+    packages: PackagePath
     tf: Buffer
     _builtins: list[RunningBuiltin]
     _views: list[Callable[[], None]]
+    _closers: list[Callable[[], None]]
+    _sliders: list[JointSliders]
 
     @property
     def now(self) -> Time:
         """Virtual time."""
+        raise NotImplementedError
+
+    def run(self, seconds: float) -> None:
+        """Let virtual time pass [s]."""
         raise NotImplementedError
 
     def tf_echo(self, source: str, target: str, *, precision: int = 3) -> str:
@@ -37,16 +60,70 @@ class Seeing:
 
         return FramesPicture(self.tf, now=self.now)
 
-    def rviz(self, fixed_frame: str = "world", *, time: Time | None = None) -> FramesView:
-        """The frames in space, to turn and zoom.
+    def rviz(
+        self,
+        fixed_frame: str = "world",
+        *,
+        time: Time | None = None,
+        robot_model: str | None = "visual",
+        alpha: float = 1.0,
+        show_tf: bool = True,
+        show_grid: bool = True,
+        description: str = "/robot_description",
+        live: bool = False,
+    ) -> RvizView | LiveRviz:
+        """Frames and robot in 3D, to turn and zoom.
 
         Args:
             fixed_frame: Frame that stands still; the others are drawn in it.
             time: Moment to show; the latest if None.
+            robot_model: Which shapes of the robot are seen at first: "visual", "collision", or None for no robot.
+            alpha: Opacity of the robot, from 0 to 1.
+            show_tf: Whether axes and names of the frames are seen at first.
+            show_grid: Whether the grid is seen at first.
+            description: Parameter with the URDF of the robot.
+            live: Whether the view follows the simulation, for which this process serves it on 127.0.0.1.
         """
-        from simkit.viz import FramesView
+        from simkit.viz import RvizSettings, RvizView
 
-        return FramesView(self.tf, fixed_frame, time=time or Time(0))
+        settings = RvizSettings(
+            fixed_frame=fixed_frame,
+            time=time or Time(0),
+            robot_model=robot_model,
+            alpha=alpha,
+            show_tf=show_tf,
+            show_grid=show_grid,
+            description=description,
+        )
+        if live:
+            return self._live_rviz(settings)
+        return RvizView(self._scene_source(settings).scene())
+
+    def rviz_replay(
+        self,
+        recording: Recording,
+        fixed_frame: str = "world",
+        *,
+        robot_model: str | None = "visual",
+        alpha: float = 1.0,
+        description: str = "/robot_description",
+    ) -> RvizReplay:
+        """What RViz showed during a recording, to be played again; `save("run.html")` keeps it.
+
+        Args:
+            recording: Of /tf and /tf_static, as `sim.record(["/tf", "/tf_static"])` makes it.
+            fixed_frame: Frame that stands still; the others are drawn in it.
+            robot_model: Which shapes of the robot are seen at first: "visual", "collision", or None for no robot.
+            alpha: Opacity of the robot, from 0 to 1.
+            description: Parameter with the URDF of the robot.
+        """
+        from simkit.viz import RvizReplay, RvizSettings
+
+        settings = RvizSettings(
+            fixed_frame=fixed_frame, robot_model=robot_model, alpha=alpha, description=description
+        )
+        robot = self._scene_source(settings).robot()
+        return RvizReplay(recording, settings, robot=robot)
 
     def tf_plot(
         self, target: str, source: str, *, recording: Recording | None = None
@@ -63,6 +140,26 @@ class Seeing:
         data = self.tf if recording is None else recording
         return TransformPlot(data, target=target, source=source)
 
+    def joint_sliders(self, node: str | None = None) -> JointSliders:
+        """The sliders of a joint_state_publisher_gui that runs here; moving one moves the simulation.
+
+        Args:
+            node: Resolved name of its node; the newest one if None.
+
+        Raises:
+            SimkitError: None runs, or none of that name.
+        """
+        from simkit.viz import JointSliders
+
+        gui = self._newest_gui(node)
+        for known in self._sliders:
+            if known.gui is gui:
+                return known
+        sliders = JointSliders(gui, run=_while_it_lives(self))
+        self._sliders.append(sliders)
+        self._views.append(sliders.refresh)
+        return sliders
+
     @property
     def turtlesim(self) -> TurtlesimView:
         """The turtlesim that runs here: `picture()`, `replay()`, `live()`.
@@ -78,6 +175,87 @@ class Seeing:
                 return TurtlesimView(builtin.program, add_view=self._views.append)
         raise SimkitError("no turtlesim runs: sim.rosrun('turtlesim', 'turtlesim_node')")
 
+    def window_of(self, node: ScriptNode | RunningBuiltin) -> RvizView | None:
+        """What rviz shows, if this is one; None for other nodes.
+
+        Args:
+            node: What `rosrun` answered.
+        """
+        from simkit.viz import RvizProgram, RvizView
+
+        program = getattr(node, "program", None)
+        if not isinstance(program, RvizProgram):
+            return None
+        return RvizView(self._scene_source(program.settings(self.packages)).scene())
+
+    def serve_window_of(self, node: ScriptNode | RunningBuiltin) -> LiveRviz | None:
+        """The same as a page that follows the simulation until the node ends; the node prints its address.
+
+        Args:
+            node: What `rosrun` answered.
+        """
+        from simkit.viz import RvizProgram
+
+        program = getattr(node, "program", None)
+        if not isinstance(program, RvizProgram):
+            return None
+        settings = program.settings(self.packages)
+        view = self._live_rviz(settings, is_over=lambda: not node.alive)
+        program.tell(view.url)
+        return view
+
+    def _live_rviz(
+        self, settings: RvizSettings, *, is_over: Callable[[], bool] = lambda: False
+    ) -> LiveRviz:
+        from simkit.viz import LiveRviz
+
+        view = LiveRviz(self._scene_source(settings, with_room=True), is_over=is_over)
+        self._views.append(view.refresh)
+        self._closers.append(view.close)
+        return view
+
+    def _scene_source(self, settings: RvizSettings, *, with_room: bool = False) -> SceneSource:
+        from simkit.viz import SceneSource
+
+        return SceneSource(
+            settings,
+            buffer=self.tf,
+            parameters=self.graph.params,
+            packages=self.packages,
+            with_room=with_room,
+        )
+
+    def _close_views(self) -> None:
+        while self._closers:
+            self._closers.pop()()
+
+    def _newest_gui(self, node: str | None) -> JointStatePublisherGui:
+        from simkit.nodes.joint_state_publisher import JointStatePublisherGui
+
+        for builtin in reversed(self._builtins):
+            program = builtin.program
+            if not (isinstance(program, JointStatePublisherGui) and builtin.alive):
+                continue
+            if node in (None, builtin.name):
+                return program
+        raise SimkitError(
+            f"no joint_state_publisher_gui runs{f' as {node}' if node else ''}: "
+            "sim.rosrun('joint_state_publisher_gui', 'joint_state_publisher_gui')"
+        )
+
     def _refresh_views(self) -> None:
         for refresh in self._views:
             refresh()
+
+
+def _while_it_lives(sim: Seeing) -> Callable[[float], None]:
+    """Its `run`. Widgets are never forgotten by their notebook, but a simulation must be."""
+    living = weakref.ref(sim)
+
+    def run(seconds: float) -> None:
+        found = living()
+        if found is None:
+            raise SimkitError("this simulation is gone; the sliders of the newest one move it")
+        found.run(seconds)
+
+    return run

@@ -22,6 +22,7 @@ from simkit.graph.process import (
     shared_runtime,
 )
 from simkit.graph.screen import Screen, StreamScreen
+from simkit.launching import Launching
 from simkit.msgs import Time
 from simkit.nodes import builtin_nodes
 from simkit.packages import PackagePath
@@ -33,12 +34,14 @@ from simkit.tf import Buffer, TransformListener
 if TYPE_CHECKING:
     from types import TracebackType
 
+    from simkit.launch import Launch
+
 EPOCH_NS = 1_600_088_400 * 10**9
 """Virtual time at the start [ns]: 14 September 2020, 13:00 UTC, the hour of the lecture."""
 _DEFAULT_SCREEN = StreamScreen()
 
 
-class Simulation(Talking, Seeing):
+class Simulation(Talking, Seeing, Launching):
     """A world of nodes on virtual time. Same seed, same bytes.
 
     Args:
@@ -46,6 +49,7 @@ class Simulation(Talking, Seeing):
         package_path: Folders in which ROS packages are found; the working folder if None.
         runtime: Where scripts run as processes; one that all simulations of this process share if None.
         screen: Where what nodes say is shown; standard output by default, None for silence.
+        confined: Whether launch files and robots may read only the files of packages, and nothing of the environment.
     """
 
     def __init__(
@@ -55,14 +59,19 @@ class Simulation(Talking, Seeing):
         package_path: Sequence[str | Path] | None = None,
         runtime: NodeRuntime | None = None,
         screen: Screen | None = _DEFAULT_SCREEN,
+        confined: bool = False,
     ) -> None:
         self.seed = seed
-        self.packages = PackagePath(package_path)
-        self.graph = Graph(Executor(EPOCH_NS), screen)
+        self.packages = PackagePath(package_path, confined=confined)
+        self.graph = Graph(Executor(EPOCH_NS), screen, seed=seed)
         self._runtime = runtime
         self._scripts: list[ScriptNode] = []
         self._builtins: list[RunningBuiltin] = []
         self._views: list[Callable[[], None]] = []
+        self._launches: list[Launch] = []
+        self._shown_robots: set[str] = set()
+        self._sliders = []
+        self._closers = []
         self._node = self.graph.create_node("/simkit")
         self.graph.reserved_names.add(self._node.name)
         self.tf = Buffer()
@@ -86,6 +95,7 @@ class Simulation(Talking, Seeing):
     def close(self) -> None:
         """End every node; no process is left behind. Harmless when closed already."""
         self._closed = True
+        self._close_views()
         for script in self._scripts:
             script.close()
 

@@ -23,27 +23,40 @@ MAY_IMPORT = {
     "simkit.errors": "",
     "simkit.msgs": "simkit.errors",
     "simkit.tf": "simkit.errors simkit.msgs",
+    "simkit.xml": "",
+    "simkit.diagnostics": "simkit.errors simkit.xml",
+    "simkit.urdf": "simkit.errors simkit.xml simkit.diagnostics simkit.packages simkit.tf",
     # the graph, and what lives on it
     "simkit.graph": "simkit.errors simkit.msgs simkit.graph.process.child",
     "simkit.tf.broadcaster": "simkit.msgs simkit.tf simkit.graph",
     "simkit.tf.listener": "simkit.msgs simkit.tf simkit.graph",
     "simkit.tools": "simkit.errors simkit.msgs simkit.graph simkit.tf",
     "simkit.nodes": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tools",
+    "simkit.nodes.robot_state_publisher": "simkit.errors simkit.msgs simkit.graph simkit.tf "
+    "simkit.tools simkit.urdf",
+    "simkit.nodes.joint_state_publisher": "simkit.errors simkit.msgs simkit.graph simkit.tools "
+    "simkit.xml",
+    "simkit.physics": "simkit.errors simkit.xml simkit.diagnostics simkit.urdf simkit.packages simkit.tf",
+    "simkit.launch": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
+    "simkit.urdf simkit.urdf.rules simkit.packages simkit.nodes simkit.running simkit.tools",
+    "simkit.launching": "simkit.graph simkit.launch simkit.packages simkit.running",
     "simkit.packages": "simkit.errors",
     "simkit.new_package": "simkit.errors simkit.msgs simkit.nodes simkit.packages",
     "simkit.recording": "simkit.errors simkit.msgs simkit.graph",
     "simkit.running": "simkit.graph simkit.nodes",
-    "simkit.seeing": "simkit.errors simkit.msgs simkit.tf simkit.nodes simkit.recording simkit.running "
-    "simkit.viz",
+    "simkit.seeing": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.nodes simkit.packages "
+    "simkit.nodes.joint_state_publisher simkit.recording simkit.running simkit.viz",
     "simkit.talking": "simkit.errors simkit.msgs simkit.graph simkit.recording",
     "simkit.simulation": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tf.listener "
-    "simkit.nodes simkit.packages simkit.recording simkit.running simkit.seeing simkit.talking",
+    "simkit.nodes simkit.packages simkit.recording simkit.running simkit.seeing simkit.talking "
+    "simkit.launch simkit.launching",
     # pictures of what is known; a simulation hands them out, lazily
     "simkit.viz": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tools simkit.nodes "
-    "simkit.recording",
+    "simkit.nodes.joint_state_publisher simkit.packages simkit.recording simkit.urdf",
     # on top: a simulation on the clock of the wall, and the command line
-    "simkit.live": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.nodes simkit.packages "
-    "simkit.recording simkit.running simkit.simulation simkit.tools",
+    "simkit.live": "simkit.errors simkit.launch simkit.msgs simkit.graph simkit.tf simkit.nodes "
+    "simkit.launch simkit.nodes.joint_state_publisher simkit.packages simkit.recording "
+    "simkit.running simkit.simulation simkit.tools",
     "simkit.cli": "simkit",
     "simkit.notebook": "simkit",
     # inside a node process: the node's side of the graph, and the pure parts
@@ -73,7 +86,8 @@ HANDS_OUT = ("simkit", "simkit.tf", "grader")
 
 # grader imports these of simkit, and of the packages only what their `__all__` lists.
 SIMKIT_FOR_GRADER = (
-    "simkit simkit.errors simkit.graph simkit.graph.process simkit.msgs simkit.nodes simkit.tf"
+    "simkit simkit.errors simkit.graph simkit.graph.process simkit.msgs simkit.nodes simkit.tf "
+    "simkit.diagnostics simkit.packages simkit.urdf simkit.urdf.rules simkit.xml"
 )
 EXCEPTIONS = {
     ("grader.run.checker", "simkit.simulation"): "loaded once by the warm parent, before it forks",
@@ -82,9 +96,14 @@ EXCEPTIONS = {
 # Where a library may be imported: by these modules at once, by those only inside of functions.
 # A library without a row may be imported nowhere.
 LIBRARIES = {
-    "numpy": ("simkit.tf.transformations", "simkit.graph.process.virtual_time"),
-    "yaml": ("simkit.graph.names simkit.talking simkit.tools", "simkit.msgs.strify"),
+    "numpy": ("simkit.physics simkit.tf.transformations simkit.viz", "simkit.graph.process.virtual_time"),
+    "yaml": ("simkit.graph.names simkit.talking simkit.tools", "simkit.msgs.strify simkit.launch simkit.urdf.rules simkit.viz.rviz_config"),
     "matplotlib": ("simkit.nodes.turtlesim.png simkit.viz", ""),
+    "dartpy": ("", "simkit.physics"),
+    "meshcat": ("simkit.viz", ""),
+    "trimesh": ("", "simkit.physics.mesh simkit.viz"),
+    "tornado": ("simkit.viz.live_server", ""),
+    "ipywidgets": ("", "simkit.viz"),
     "rosbags": ("", "simkit.msgs.generate"),
     "pytest": ("grader.checks grader.run.checker", ""),
     "rich": ("", "grader.report"),
@@ -111,9 +130,14 @@ CLOCKS_AND_CHANCE = {
     "datetime": {"simkit.graph.process.virtual_time": "replaces it in node processes"},
     "random": {
         "simkit.graph.process.virtual_time": "seeds it in node processes",
+        "simkit.nodes.joint_state_publisher.gui": "draws positions, from the seed of its node",
         "grader.checks.fixtures": "makes the generator of a check, from its seed",
+        "grader.checks.personal": "draws a student's own numbers, from the name",
     },
-    "secrets": {"simkit.live.host": "makes the password of a live simulation"},
+    "secrets": {
+        "simkit.live.host": "makes the password of a live simulation",
+        "simkit.viz.live_server": "makes the password of a live view",
+    },
     "uuid": {},
 }
 

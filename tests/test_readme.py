@@ -11,7 +11,10 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
-TEXTS = ["README.md", "CONTRIBUTING.md", "CONVENTIONS.md", "CHANGELOG.md", "docs/architecture.md"]
+TEXTS = [
+    *("README.md", "CONTRIBUTING.md", "CONVENTIONS.md", "CHANGELOG.md"),
+    *("docs/architecture.md", "robots/README.md"),
+]
 PROGRAM_LINES = 15
 
 
@@ -26,12 +29,40 @@ def python(*arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
 
 
 def test_the_program_prints_what_readme_shows_and_draws_its_picture(tmp_path: Path) -> None:
-    (program,), (shown,) = blocks("python"), blocks("text")
+    (program,), (shown, _) = blocks("python"), blocks("text")
     assert len(program.splitlines()) <= PROGRAM_LINES
     done = python("-W", "error", "-c", program, folder=tmp_path)
     assert (done.stdout, done.stderr) == (shown, "")
     drawn = (tmp_path / "turtles.svg").read_bytes()
     assert drawn == (ROOT / "docs/pictures/turtles.svg").read_bytes()
+
+
+FAULTY_ARM = """\
+<?xml version="1.0"?>
+<robot name="arm">
+  <link name="base_link"/>
+  <link name="arm">
+    <visual>
+      <geometry>
+        <cylinder length="0.4" radius="0.05"/>
+      </geometry>
+    </visual>
+  </link>
+  <joint name="shoulder" type="revolute">
+    <parent link="base_link"/>
+    <child link="arm"/>
+    <axis xyz="0 1 0"/>
+    <limit lower="-90" upper="90" effort="10" velocity="1"/>
+  </joint>
+</robot>
+"""
+
+
+def test_check_urdf_says_what_readme_shows(tmp_path: Path) -> None:
+    (tmp_path / "arm.urdf").write_text(FAULTY_ARM, encoding="utf-8")
+    done = python("-m", "simkit.cli", "check_urdf", "arm.urdf", folder=tmp_path)
+    assert done.stdout.startswith("robot name is: arm\n")
+    assert blocks("text")[1] in done.stderr
 
 
 @pytest.mark.parametrize("script", ["docs/pictures/make_pictures.py", "docs/exercise_list.py"])

@@ -91,11 +91,13 @@ def _require_student_version(cell: SourceCell, fault: Fault) -> None:
     written = cell.written
     if written is None or written.append or not written.path.endswith(XML_ENDINGS):
         return
-    for version in (text, cell.for_solution()):
+    versions = {"the solution's": cell.for_solution()}
+    if all(region.instead is None for region in cell.regions):
+        versions["the student's"] = text  # a file to mend may be anything
+    for which, version in versions.items():
         try:
             ElementTree.fromstring(version.partition("\n")[2].strip())
         except ElementTree.ParseError as error:
-            which = "the student's" if version is text else "the solution's"
             raise fault(f"{which} version is not well-formed XML: {error}", cell.line) from error
 
 

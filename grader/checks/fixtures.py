@@ -84,7 +84,7 @@ def rng(seed: int) -> random.Random:
 def sim(seed: int, package_path: Path, node_runtime: NodeRuntime) -> Iterator[Simulation]:
     """A fresh simulation that finds the student's package."""
     with Simulation(
-        seed=seed, package_path=[str(package_path)], runtime=node_runtime
+        seed=seed, package_path=[str(package_path)], runtime=node_runtime, confined=True
     ) as simulation:
         yield simulation
 
@@ -102,5 +102,36 @@ def run_node(
         node = sim.rosrun(path.parts[0], path.name, *arguments, permissions=permissions)
         watch.nodes.append((path.name, node))
         return node
+
+    return start
+
+
+@pytest.fixture
+def launch_plan(sim: Simulation, exercise: Exercise, submission: Submission) -> Callable[..., Any]:
+    """What a launch file of the student comes to, without starting it: `launch_plan("x.launch").params`."""
+
+    def plan(file: str, *arguments: str) -> Any:
+        path = PurePosixPath(require_handed_in(file, exercise, submission))
+        return sim.launch_plan(path.parts[0], "/".join(path.parts[1:]), *arguments)
+
+    return plan
+
+
+@pytest.fixture
+def roslaunch(
+    sim: Simulation,
+    exercise: Exercise,
+    launch_plan: Callable[..., Any],
+    request: pytest.FixtureRequest,
+) -> Callable[..., Any]:
+    """Start a launch file of the student, or what `launch_plan` gave: `roslaunch("x.launch", "speed:=2")`."""
+    watch = request.node.stash[WATCH]
+    permissions = permissions_of(exercise)
+
+    def start(file: Any, *arguments: str) -> Any:
+        plan = launch_plan(file, *arguments) if isinstance(file, str) else file
+        launch = sim.roslaunch(plan, permissions=permissions)
+        watch.launches.append((PurePosixPath(plan.shown_file).name, launch))
+        return launch
 
     return start

@@ -5,7 +5,9 @@ Used by checks and by notebooks, so that a fault of an earlier exercise does not
 
 from __future__ import annotations
 
+import dataclasses
 import math
+import shlex
 from typing import Any
 
 from simkit import Simulation
@@ -57,6 +59,41 @@ def broadcast_frame(
             _transform(parent, child, translation, yaw=0.0, stamp=node.now())
         ),
     )
+
+
+BROADCASTER = "turtle_tf_broadcaster.py"
+"""The script of exercise 3.1, which takes the name of its turtle as the parameter `~turtle`."""
+
+
+def without_broadcasters(plan: Any) -> tuple[Any, list[str]]:
+    """The plan of a launch file without the broadcasters of exercise 3.1, and the turtles that they would serve.
+
+    Args:
+        plan: What `launch_plan` gives.
+
+    Returns:
+        The rest of the plan, to be launched, and the names of the turtles, sorted.
+    """
+    ours = [node for node in plan.nodes if node.type == BROADCASTER]
+    names = tuple(f"{node.resolved_name}/" for node in ours)
+    rest = dataclasses.replace(
+        plan,
+        nodes=tuple(node for node in plan.nodes if node not in ours),
+        params={name: value for name, value in plan.params.items() if not name.startswith(names)},
+    )
+    return rest, sorted(_turtle_of(node, plan) for node in ours)
+
+
+def _turtle_of(node: Any, plan: Any) -> str:
+    turtle = str(plan.params.get(f"{node.resolved_name}/turtle", "turtle1"))
+    try:
+        words = shlex.split(node.args)
+    except ValueError:
+        words = []
+    for word in words:
+        name, _, value = word.partition(":=")
+        turtle = value if name == "_turtle" else turtle
+    return turtle
 
 
 def _transform(

@@ -42,24 +42,42 @@ class NodeWatch:
 
     nodes: list[tuple[str, Any]] = field(default_factory=list)
     """Script name and node handle."""
+    launches: list[tuple[str, Any]] = field(default_factory=list)
+    """Name of a launch file and its launch, whose nodes may be started again and again."""
 
     def trouble(self) -> Trouble | None:
         """The first node that failed or was refused something; None if all went well."""
-        for script, node in self.nodes:
+        for script, node in self._all_nodes():
             if node.failure is not None:
                 return _failure(script, node.failure)
+        for file, launch in self.launches:
+            if launch.failures:
+                message = bounded(f"{file}: {launch.failures[0]}", 600)
+                return Trouble(status=Status.FAILED, message=message)
         refusal = self.refusal()
         return Trouble(status=Status.FAILED, message=refusal) if refusal else None
 
     def refusal(self) -> str:
-        """What a node was refused first, as a sentence; empty if nothing."""
-        refused = [f"{script}: {node.refusals[0]}" for script, node in self.nodes if node.refusals]
+        """What a node or launch file was refused first, as a sentence; empty if nothing."""
+        refused = [
+            f"{name}: {handle.refusals[0]}"
+            for name, handle in (*self.launches, *self._all_nodes())
+            if handle.refusals
+        ]
         return refused[0] if refused else ""
 
     def early_ends(self) -> str:
         """A sentence about scripts that ended by themselves; empty if there are none."""
-        ended = [script for script, node in self.nodes if not node.alive and node.failure is None]
+        ended = [
+            script for script, node in self._all_nodes() if not node.alive and node.failure is None
+        ]
         return f"note: {', '.join(ended)} had already ended by itself" if ended else ""
+
+    def _all_nodes(self) -> list[tuple[str, Any]]:
+        launched = [
+            (planned.type, node) for _, launch in self.launches for planned, node in launch.handles
+        ]
+        return [*self.nodes, *launched]
 
 
 def _failure(script: str, failure: NodeFailure) -> Trouble:
@@ -75,7 +93,12 @@ def _failure(script: str, failure: NodeFailure) -> Trouble:
 def permissions_of(exercise: Exercise) -> Permissions:
     """What the nodes of an exercise may write on the graph."""
     may = exercise.permissions
-    return Permissions(publish=may.publish, services=may.services, parameters=may.parameters)
+    return Permissions(
+        publish=may.publish,
+        services=may.services,
+        parameters=may.parameters,
+        nodes=may.launch,
+    )
 
 
 def require_handed_in(script: str, exercise: Exercise, submission: Submission) -> str:

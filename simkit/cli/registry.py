@@ -37,9 +37,10 @@ class Command:
         self.load().add_arguments(parser)
 
 
-_RUN, _ASK, _LOOK_UP, _HERE = (
+_RUN, _ASK, _ROBOTS, _LOOK_UP, _HERE = (
     "Run nodes",
     "Ask a running simulation",
+    "Robots",
     "Packages and types",
     "This installation",
 )
@@ -49,6 +50,12 @@ _COMMANDS = (
         summary="run a node of a package",
         group=_RUN,
         module="simkit.cli.rosrun",
+    ),
+    Command(
+        name="roslaunch",
+        summary="start the nodes of a launch file",
+        group=_RUN,
+        module="simkit.cli.roslaunch",
     ),
     Command(
         name="roscore",
@@ -79,6 +86,12 @@ _COMMANDS = (
         summary="get and set parameters",
         group=_ASK,
         module="simkit.cli.shared_tool",
+    ),
+    Command(
+        name="check_urdf",
+        summary="what ROS makes of a URDF, and what is wrong with it",
+        group=_ROBOTS,
+        module="simkit.cli.check_urdf",
     ),
     Command(
         name="rosmsg",

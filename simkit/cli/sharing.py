@@ -27,25 +27,25 @@ def host(sim: Simulation, until: Callable[[], bool]) -> bool:
 
 
 class OnlyFrom:
-    """A screen for one node: what the others say belongs into their own terminals.
+    """A screen for some nodes: what the others say belongs into their own terminals.
 
     Args:
-        name: Gives the node's name, which it may say later than it begins.
+        is_meant: Whether a node of that name is one of them.
         screen: Where it is shown.
     """
 
-    def __init__(self, name: Callable[[], str], screen: Screen) -> None:
-        self._name = name
+    def __init__(self, is_meant: Callable[[str], bool], screen: Screen) -> None:
+        self._is_meant = is_meant
         self._screen = screen
 
     def record(self, record: LogRecord) -> None:
-        """Show the node's own lines of rosout."""
-        if record.node == self._name():
+        """Show their lines of rosout."""
+        if self._is_meant(record.node):
             self._screen.record(record)
 
     def output(self, node: str, text: str) -> None:
-        """Show what the node itself prints."""
-        if node == self._name():
+        """Show what they print."""
+        if self._is_meant(node):
             self._screen.output(node, text)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, Protocol
 
 from simkit.errors import UnknownNameError
@@ -37,10 +37,16 @@ class Graph:
     Args:
         executor: Owner of the virtual clock.
         screen: Where a person reads along (a terminal, a notebook); None keeps silent.
+        seed: Of everything random; each node has one of its own from it.
+
+    Attributes:
+        muted: Nodes of which the screen shows warnings and errors only, and what to call when something was not shown.
+        departures: What to call when a node has left the graph.
     """
 
-    def __init__(self, executor: Executor, screen: Screen | None = None) -> None:
+    def __init__(self, executor: Executor, screen: Screen | None = None, *, seed: int = 0) -> None:
         self.executor = executor
+        self.seed = seed
         self.params = ParameterServer()
         self.topics: dict[str, Topic] = {}
         self.services: dict[str, ServiceServer] = {}
@@ -48,6 +54,8 @@ class Graph:
         self.reserved_names: set[str] = set()
         self.records: list[LogRecord] = []
         self.screen = screen
+        self.muted: dict[str, Callable[[], None]] = {}
+        self.departures: list[Callable[[], None]] = []
 
     def now(self) -> Time:
         """Virtual time."""
@@ -57,8 +65,21 @@ class Graph:
         """Keep (and show) a line of rosout."""
         record = LogRecord(time=self.now(), node=node_name, level=level, text=text)
         self.records.append(record)
-        if self.screen is not None:
+        if self.screen is None:
+            return
+        if level < LogLevel.WARN and node_name in self.muted:
+            self.muted[node_name]()
+        else:
             self.screen.record(record)
+
+    def show_output(self, node_name: str, text: str) -> None:
+        """Show what a node has printed."""
+        if self.screen is None:
+            return
+        if node_name in self.muted:
+            self.muted[node_name]()
+        else:
+            self.screen.output(node_name, text)
 
     def create_node(self, name: str, remappings: Mapping[str, str] | None = None) -> Node:
         """A node in this process.
@@ -89,6 +110,8 @@ class Graph:
         """Forget a node that has ended."""
         if self.nodes.get(node.name) is node:
             del self.nodes[node.name]
+        for call in list(self.departures):
+            call()
 
     def add_publisher(
         self, topic: str, message_class: type[Message], node_name: str, *, latch: bool

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -61,6 +62,11 @@ class Node:
 
     def __repr__(self) -> str:
         return f"<node {self.name}, {'running' if self.alive else 'ended'}>"
+
+    @property
+    def seed(self) -> int:
+        """Seed of everything random in this node; adding another node does not change it."""
+        return zlib.crc32(f"{self.graph.seed}{self.name}".encode())
 
     def now(self) -> Time:
         """Virtual time."""

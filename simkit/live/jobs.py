@@ -49,13 +49,16 @@ class NodeJob:
     Args:
         sim: The simulation.
         node: The node.
+        begin: How many lines of rosout there were before it started; as many as now if None.
     """
 
-    def __init__(self, sim: Simulation, node: ScriptNode | RunningBuiltin) -> None:
+    def __init__(
+        self, sim: Simulation, node: ScriptNode | RunningBuiltin, *, begin: int | None = None
+    ) -> None:
         self._sim = sim
         self._node = node
         self._shown = 0
-        self._records = len(sim.log)
+        self._records = len(sim.log) if begin is None else begin
         self.exit_code: int | None = None
 
     def poll(self) -> str:

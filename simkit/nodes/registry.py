@@ -26,7 +26,7 @@ class BuiltinNode:
     module: str
     """Python module of its class."""
     class_name: str
-    """Its class, made with (node, argv)."""
+    """Its class, or a function that picks one; called with (node, argv)."""
     anonymous: bool = False
     """Whether several may run at once: each gets a number behind its name."""
     watch_seconds: float | None = None
@@ -144,6 +144,43 @@ _BUILTIN = (
         class_name="Tf2ViewFrames",
         anonymous=True,
         watch_seconds=5.5,
+    ),
+    BuiltinNode(
+        package="joint_state_publisher",
+        executable="joint_state_publisher",
+        node_name="joint_state_publisher",
+        module="simkit.nodes.joint_state_publisher.start",
+        class_name="start_joint_state_publisher",
+    ),
+    BuiltinNode(
+        package="joint_state_publisher_gui",
+        executable="joint_state_publisher_gui",
+        node_name="joint_state_publisher_gui",
+        module="simkit.nodes.joint_state_publisher.gui",
+        class_name="JointStatePublisherGui",
+    ),
+    BuiltinNode(
+        package="robot_state_publisher",
+        executable="robot_state_publisher",
+        node_name="robot_state_publisher",
+        module="simkit.nodes.robot_state_publisher.node",
+        class_name="RobotStatePublisher",
+    ),
+    BuiltinNode(
+        package="robot_state_publisher",
+        executable="state_publisher",
+        node_name="robot_state_publisher",
+        module="simkit.nodes.robot_state_publisher.node",
+        class_name="StatePublisher",
+    ),
+    BuiltinNode(
+        package="rviz",
+        executable="rviz",
+        node_name="rviz",
+        module="simkit.viz.rviz_program",
+        class_name="RvizProgram",
+        anonymous=True,
+        watch_seconds=0.5,
     ),
     BuiltinNode(
         package="rostopic",

@@ -10,10 +10,13 @@ from functools import partial
 
 from simkit.cli import main as command_line
 from simkit.errors import SimkitError
+from simkit.launch import LaunchError, summary_of
 from simkit.new_package import create_package
 from simkit.nodes import builtin_nodes
 from simkit.notebook.current import current_simulation
+from simkit.notebook.sliders import show_sliders
 from simkit.notebook.starting import StartWatch
+from simkit.notebook.windows import show_windows
 from simkit.tools import Bounds, run_tool
 
 START_SECONDS = 0.5
@@ -54,6 +57,31 @@ def rosrun(words: list[str]) -> None:
             if watched is not None:
                 node.shutdown()
     watch.show_rest(node)
+    show_windows(sim, [node])
+    show_sliders(sim, [node])
+
+
+def roslaunch(words: list[str]) -> None:
+    """Start a launch file: `%roslaunch package file [name:=value]`; `--screen` shows what all its nodes print.
+
+    The simulation runs for half a second, so that what the nodes say at their start stands below.
+    """
+    names = [word for word in words if word != "--screen"]
+    if not names:
+        raise SimkitError("usage: %roslaunch PACKAGE FILE [NAME:=VALUE]")
+    sim = current_simulation()
+    try:
+        plan = sim.launch_plan(*names)
+    except LaunchError as error:
+        raise LineError(str(error)) from None  # the words of roslaunch have several lines
+    print(summary_of(plan))
+    with StartWatch(sim) as watch:
+        launch = sim.roslaunch(plan, all_on_screen="--screen" in words)
+        sim.run(START_SECONDS)
+    watch.show_launch(launch)
+    nodes = list(launch.nodes.values())
+    show_windows(sim, nodes)
+    show_sliders(sim, nodes)
 
 
 def tool(name: str, words: list[str]) -> None:
@@ -78,6 +106,16 @@ def command(name: str, words: list[str]) -> None:
         raise SimkitError(complaint.getvalue().removeprefix(f"simkit {name}: "))
 
 
+def check_urdf(words: list[str]) -> None:
+    """Say what ROS makes of a URDF, and what is wrong with it: `%check_urdf hello_ros/urdf/robot.urdf`.
+
+    A file that is refused is no error of the cell: what is wrong stands below it.
+    """
+    if not words:
+        raise SimkitError("usage: %check_urdf FILE")
+    command_line(["check_urdf", *words])
+
+
 def catkin_create_pkg(words: list[str]) -> None:
     """Make the folder of a new package: `%catkin_create_pkg hello_ros rospy tf`."""
     if not words:
@@ -97,6 +135,8 @@ def _described(line: Callable[[str, list[str]], None], name: str) -> Line:
 
 LINES: Mapping[str, Line] = {
     "catkin_create_pkg": catkin_create_pkg,
+    "check_urdf": check_urdf,
+    "roslaunch": roslaunch,
     "rosrun": rosrun,
     "rosnode": _described(tool, "rosnode"),
     "rosparam": _described(tool, "rosparam"),

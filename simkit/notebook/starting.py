@@ -8,6 +8,7 @@ from types import TracebackType
 from simkit.graph import LogRecord
 from simkit.graph.process import ScriptNode
 from simkit.graph.screen import Screen
+from simkit.launch import Launch
 from simkit.running import RunningBuiltin
 from simkit.simulation import Simulation
 
@@ -49,6 +50,14 @@ class StartWatch:
         if self._screen is not None:
             self._screen.output(node, text)
             self._shown[node] = self._shown.get(node, 0) + len(text)
+
+    def show_launch(self, launch: Launch) -> None:
+        """Print what a launch and its nodes have said and nobody has shown."""
+        if self._screen is None:
+            print("\n".join(launch.lines))
+        for name, node in launch.nodes.items():
+            if not launch.hides(name):
+                self.show_rest(node)
 
     def show_rest(self, node: ScriptNode | RunningBuiltin) -> None:
         """Print what the node has said and nobody has shown, and why it died."""

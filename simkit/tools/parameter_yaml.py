@@ -26,7 +26,7 @@ _OPERATORS: dict[type[ast.AST], Callable[..., float]] = {
 }
 
 
-class _Loader(yaml.SafeLoader):  # type: ignore[misc]  # PyYAML tells no types
+class ParameterLoader(yaml.SafeLoader):  # type: ignore[misc]  # PyYAML tells no types
     """A safe loader that knows angles."""
 
 
@@ -37,7 +37,7 @@ def load_parameters(text: str) -> list[Any]:
         ToolError: It is not YAML, or an angle cannot be read.
     """
     try:
-        return list(yaml.load_all(text, _Loader))
+        return list(yaml.load_all(text, ParameterLoader))
     except yaml.YAMLError as error:
         raise ToolError(f"ERROR: not YAML: {' '.join(str(error).split())}") from error
 
@@ -47,7 +47,7 @@ def dump_parameters(value: Any) -> str:
     return str(yaml.safe_dump(value, default_flow_style=False))
 
 
-def _degrees(loader: _Loader, node: Any) -> float:
+def _degrees(loader: ParameterLoader, node: Any) -> float:
     text = str(loader.construct_scalar(node)).strip()
     number = text[4:-1] if text.startswith("deg(") else text
     try:
@@ -56,7 +56,7 @@ def _degrees(loader: _Loader, node: Any) -> float:
         raise ToolError(f"ERROR: invalid degree value: {text}") from None
 
 
-def _radians(loader: _Loader, node: Any) -> float:
+def _radians(loader: ParameterLoader, node: Any) -> float:
     text = str(loader.construct_scalar(node)).strip()
     expression = text[4:-1] if text.startswith("rad(") else text
     try:
@@ -83,5 +83,5 @@ for _tag, _construct, _word in (
     ("!degrees", _degrees, "deg"),
     ("!radians", _radians, "rad"),
 ):
-    _Loader.add_constructor(_tag, _construct)
-    _Loader.add_implicit_resolver(_tag, re.compile(rf"^{_word}\([^)]*\)$"), [_word[0]])
+    ParameterLoader.add_constructor(_tag, _construct)
+    ParameterLoader.add_implicit_resolver(_tag, re.compile(rf"^{_word}\([^)]*\)$"), [_word[0]])

@@ -30,9 +30,7 @@ class Program:
     def _print(self, text: str) -> None:
         """Print a text as it is, without a line break of its own."""
         self._output += text
-        screen = self._node.graph.screen
-        if screen is not None:
-            screen.output(self._node.name, text)
+        self._node.graph.show_output(self._node.name, text)
 
     def _exit(self, code: int) -> None:
         """End the program and leave the graph."""

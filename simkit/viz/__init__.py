@@ -6,8 +6,15 @@ saved by `save("name.svg")`. What a picture shows (`forest`, `tf_scene`, `transf
 """
 
 from simkit.viz.frames_picture import FramesPicture
-from simkit.viz.frames_view import FramesView
+from simkit.viz.joint_sliders import JointSliders
+from simkit.viz.live_rviz import LiveRviz
 from simkit.viz.live_view import LiveView
+from simkit.viz.robot_tree import RobotTree
+from simkit.viz.rviz_program import RvizProgram
+from simkit.viz.rviz_replay import RvizReplay
+from simkit.viz.rviz_settings import RvizSettings
+from simkit.viz.rviz_view import RvizView
+from simkit.viz.scene_source import SceneSource
 from simkit.viz.transform_plot import TransformPlot
 from simkit.viz.transform_series import TransformSeries, transform_series
 from simkit.viz.turtle_replay import TurtleReplay
@@ -15,8 +22,15 @@ from simkit.viz.turtlesim_view import TurtlesimView
 
 __all__ = [
     "FramesPicture",
-    "FramesView",
+    "JointSliders",
+    "LiveRviz",
     "LiveView",
+    "RobotTree",
+    "RvizProgram",
+    "RvizReplay",
+    "RvizSettings",
+    "RvizView",
+    "SceneSource",
     "TransformPlot",
     "TransformSeries",
     "TurtleReplay",

@@ -13,8 +13,8 @@ from simkit.viz.drawing import Point
 FIELD_OF_VIEW: Final = math.radians(30.0)
 """Angle that the picture's height covers [rad]."""
 _LEAST_DISTANCE = 1e-6
-_NEAR = 0.02
-"Nearer than this share of the distance nothing is drawn."
+NEAR: Final = 0.02
+"""Nearer than this share of the distance nothing is drawn."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,11 +49,11 @@ class Camera:
 
     def is_before(self, seen: Vector) -> bool:
         """Whether something is far enough in front of the camera to be drawn."""
-        return seen[2] > _NEAR * self.distance
+        return seen[2] > NEAR * self.distance
 
     def clipped(self, start: Vector, end: Vector) -> tuple[Vector, Vector] | None:
         """The part of a line (as seen) that can be drawn; None if there is none."""
-        near = 1.0001 * _NEAR * self.distance
+        near = 1.0001 * NEAR * self.distance
         if not self.is_before(start) and not self.is_before(end):
             return None
         if not self.is_before(start):

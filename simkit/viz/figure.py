@@ -7,12 +7,14 @@ from __future__ import annotations
 
 from functools import singledispatch
 
+import numpy as np
 from matplotlib import patches
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.path import Path
 from matplotlib.patheffects import withStroke
+from numpy.typing import NDArray
 
 from simkit.viz.drawing import Area, Box, Curve, Drawing, Group, Line, Shape, Text
 from simkit.viz.plain_matplotlib import pdf_of, plain_settings, png_of
@@ -23,15 +25,23 @@ _DASHES = (0.0, (5.0, 4.0))
 _ALIGNMENT = {"start": "left", "middle": "center", "end": "right"}
 
 
-def png_bytes(drawing: Drawing, *, scale: float = 2.0) -> bytes:
+def png_bytes(
+    drawing: Drawing, *, scale: float = 2.0, pixels: NDArray[np.uint8] | None = None
+) -> bytes:
     """The drawing as a PNG file.
 
     Args:
         drawing: What to draw.
         scale: Pixels of the file per pixel of the drawing.
+        pixels: A picture to lay under all shapes, its upper left corner in that of the drawing; red, green, blue, opacity of
+            each pixel of the file, shape (height, width, 4).
     """
     with plain_settings():
-        return png_of(_figure(drawing, scale), title=drawing.title)
+        figure = _figure(drawing, scale)
+        if pixels is not None:
+            below = round(drawing.size[1] * scale) - len(pixels)
+            figure.figimage(pixels, 0, below, origin="upper", zorder=-1)
+        return png_of(figure, title=drawing.title)
 
 
 def pdf_bytes(drawing: Drawing) -> bytes:

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 from simkit.msgs import Time
 from simkit.viz.drawing import Box, Drawing, Line, Point, Shape, Text
-from simkit.viz.forest import Forest
-from simkit.viz.frames_dot import seconds
+from simkit.viz.forest import Forest, Tree
+from simkit.viz.frames_dot import edge_facts, seconds
 from simkit.viz.letters import shortened, text_width, wrapped
 from simkit.viz.tree_drawing import GREY, INK, PAPER, tree_shapes
-from simkit.viz.tree_layout import LONGEST, TreeLayout, tree_layout
+from simkit.viz.tree_layout import LONGEST, CardNode, TreeLayout, tree_layout
 
 _MARGIN, _GAP = 18.0, 20.0
 _LEAST_WIDTH = 420.0
@@ -59,11 +59,25 @@ def draw_forest(forest: Forest, now: Time | None) -> Drawing:
 
 
 def _layouts(forest: Forest) -> list[TreeLayout]:
-    down = [tree_layout(tree, is_sideways=False) for tree in forest.trees]
+    trees = [_card_nodes(tree) for tree in forest.trees]
+    down = [tree_layout(nodes, is_sideways=False) for nodes in trees]
     if _row_width(down) <= _READABLE_WIDTH:
         return down
-    sideways = [tree_layout(tree, is_sideways=True) for tree in forest.trees]
+    sideways = [tree_layout(nodes, is_sideways=True) for nodes in trees]
     return min(down, sideways, key=_row_width)
+
+
+def _card_nodes(tree: Tree) -> list[CardNode]:
+    return [
+        CardNode(
+            name=node.name,
+            parent=node.parent,
+            facts=() if node.report is None else edge_facts(node.report),
+            is_dashed=node.is_static,
+            is_echo=node.is_echo,
+        )
+        for node in tree.nodes
+    ]
 
 
 def _row_width(layouts: Sequence[TreeLayout]) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import json
+from collections.abc import Sequence
 from importlib import resources
 
 from simkit.viz.letters import printable
@@ -12,29 +13,41 @@ _POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inl
 "The browser itself refuses anything from the network."
 
 
-def html_page(*, title: str, name: str, body: str, data: object) -> str:
+def html_page(
+    *,
+    title: str,
+    name: str,
+    body: str,
+    data: object,
+    scripts: Sequence[str] = (),
+    connects_to: str = "",
+) -> str:
     """A page that needs no network.
 
     Args:
         title: Its title, as plain text.
-        name: Which script and style of this package it has: `<name>.js` and `<name>.css`.
+        name: Which style of this package it has, `<name>.css`, and which script if there are no other names.
         body: HTML of its body.
         data: What the script finds as JSON in the element `data`; finite numbers only.
+        scripts: Names of its scripts, in their order; they are one to the browser.
+        connects_to: The one address that it may talk to; none if empty.
     """
     # In JSON these letters occur in strings only, where their codes mean the same.
     text = json.dumps(data, allow_nan=False, separators=(",", ":"))
     for letter in "<>&":
         text = text.replace(letter, f"\\u{ord(letter):04x}")
+    policy = _POLICY + (f"; connect-src {connects_to}" if connects_to else "")
+    script = "".join(_asset(f"{script}.js") for script in scripts or (name,))
     return (
         "<!DOCTYPE html>\n"
         '<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n'
+        f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f"<title>{escaped(title)}</title>\n"
         f"<style>\n{_asset('page.css')}{_asset(f'{name}.css')}</style>\n</head>\n<body>\n"
         f"{body}\n"
         f'<script type="application/json" id="data">{text}</script>\n'
-        f"<script>\n{_asset(f'{name}.js')}</script>\n</body>\n</html>\n"
+        f'<script>\n"use strict";\n{script}</script>\n</body>\n</html>\n'
     )
 
 

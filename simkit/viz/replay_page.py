@@ -14,17 +14,23 @@ from simkit.nodes.turtlesim.window import METRE_PX, SIDE, SIDE_PX
 from simkit.viz.letters import shortened
 from simkit.viz.page import escaped, html_page
 from simkit.viz.svg import number
+from simkit.viz.tape_controls import tape_controls
 from simkit.viz.thinning import Row
 from simkit.viz.turtle_tape import Motion, Trail, TurtleTape
 
 TITLE: Final = "Replay of turtlesim"
-_SPEEDS = ("0.25", "0.5", "1", "2", "4", "8")
 _LONGEST = 30
 
 
 def replay_page(tape: TurtleTape) -> str:
     """The page for a run."""
-    return html_page(title=TITLE, name="turtle_replay", body=_body(tape), data=_data(tape))
+    return html_page(
+        title=TITLE,
+        name="turtle_replay",
+        body=_body(tape),
+        data=_data(tape),
+        scripts=("tape", "turtle_replay"),
+    )
 
 
 def page_height(tape: TurtleTape) -> int:
@@ -33,24 +39,7 @@ def page_height(tape: TurtleTape) -> int:
 
 
 def _body(tape: TurtleTape) -> str:
-    end = f"{tape.duration:.3f}"
-    options = "".join(
-        f'<option value="{speed}"{" selected" if speed == "1" else ""}>{speed} ×</option>'
-        for speed in _SPEEDS
-    )
-    return "\n".join(
-        [
-            *_window(tape),
-            '<div class="row">',
-            '<button id="play">Play</button>',
-            f'<input id="time" type="range" min="0" max="{end}" step="any" value="{end}" '
-            'aria-label="Virtual time">',
-            f'<output id="clock" for="time">{tape.duration:.2f} s</output>',
-            f'<label>Speed <select id="speed">{options}</select></label>',
-            "</div>",
-            *_table(tape.motions),
-        ]
-    )
+    return "\n".join([*_window(tape), *tape_controls(tape.duration), *_table(tape.motions)])
 
 
 def _window(tape: TurtleTape) -> list[str]:

@@ -12,6 +12,8 @@ from simkit.viz.tf_scene import FramePose, TfScene
 
 _AZIMUTH, _ELEVATION = math.radians(-112.0), math.radians(32.0)
 "From behind and the right: x leads to the right, y away, z up, as on paper."
+AXIS_SHARE, AXIS_SHARE_OF_ROBOT = 0.09, 0.14
+"Axes are signposts where frames are all there is; beside a robot they must not drown in it."
 _LEAST_EXTENT = 1e-3
 "Frames that are no further apart than this [m] are in one place."
 
@@ -32,13 +34,21 @@ class Stage:
     """The camera, so that everything is seen."""
 
 
-def stage_for(scene: TfScene) -> Stage:
-    """A stage for the frames of a scene; a metre around the origin if there are none."""
-    low, high = _bounds([pose.origin for pose in scene.poses] or [(0.0, 0.0, 0.0)])
+def stage_for(
+    scene: TfScene, more: Sequence[Vector] = (), *, axis_share: float = AXIS_SHARE
+) -> Stage:
+    """A stage for the frames of a scene; a metre around the origin if there is nothing.
+
+    Args:
+        scene: The frames.
+        more: Other points that must be seen, e.g. the corners of a robot [m].
+        axis_share: Length of an axis as a share of the way across everything.
+    """
+    low, high = _bounds([*(pose.origin for pose in scene.poses), *more] or [(0.0, 0.0, 0.0)])
     if math.dist(low, high) < _LEAST_EXTENT:
         low, high = (low[0] - 1.0, low[1] - 1.0, low[2]), (high[0] + 1.0, high[1] + 1.0, high[2])
     extent = math.dist(low, high)
-    axis_length, cell = 0.09 * extent, _nice(extent / 8)
+    axis_length, cell = axis_share * extent, _nice(extent / 8)
     grid_x, grid_y = (_cells(low[i], high[i], cell) for i in (0, 1))
     points = [tip for pose in scene.poses for tip in _tips(pose, axis_length)]
     corners = [(cell * x, cell * y, 0.0) for x in grid_x for y in grid_y]
@@ -48,7 +58,7 @@ def stage_for(scene: TfScene) -> Stage:
         cell=cell,
         grid_x=grid_x,
         grid_y=grid_y,
-        camera=fitted(camera, [*points, *corners], fill=0.94),
+        camera=fitted(camera, [*points, *more, *corners], fill=0.94),
     )
 
 

@@ -84,7 +84,8 @@ def tf_scene(buffer: Buffer, *, fixed_frame: str, time: Time = LATEST) -> TfScen
         try:
             found = core.lookup(fixed_frame, name, time=time.to_nsec())
         except TransformException as error:
-            problems.append(f"No transform from [{name}] to [{fixed_frame}]: {_reason(error)}")
+            reason = _reason(error, time)
+            problems.append(f"No transform from [{name}] to [{fixed_frame}]: {reason}")
             continue
         pose = _pose(name, core.parent_of(name, time=time.to_nsec()), found)
         if pose is None:
@@ -115,11 +116,13 @@ def _no_such_frame(core: BufferCore, frame: str) -> str:
     return f"{text}.{question} Frames: {shown}{more}."
 
 
-def _reason(error: TransformException) -> str:
+def _reason(error: TransformException, time: Time) -> str:
     match error:
         case ConnectivityException():
             return "they are in two trees."
         case ExtrapolationException():
-            return "no data at that time."
+            return (
+                "no data at that time." if time else "no time for which all on the way have data."
+            )
         case _:
             return "the way goes round in a loop."

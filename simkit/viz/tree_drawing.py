@@ -1,22 +1,21 @@
-"""One tree of frames as shapes: a box for each frame, its facts on the line to its parent."""
+"""One tree as shapes: a box for each node, its facts on the line to its parent."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from simkit.viz.drawing import Area, Box, Curve, Group, Line, Point, Shape, Text
-from simkit.viz.forest import TreeNode
-from simkit.viz.frames_dot import edge_facts
 from simkit.viz.letters import shortened
 from simkit.viz.tree_layout import (
     CARD_PADDING,
-    COLUMN,
     FACT_HEIGHT,
     FACT_SIZE,
     LONGEST,
     NAME_SIZE,
+    CardNode,
     Rectangle,
     TreeLayout,
+    column_of,
 )
 
 PAPER, INK, GREY = "#ffffff", "#1d2733", "#5b6b7d"
@@ -34,14 +33,14 @@ def tree_shapes(layout: TreeLayout, origin: Point) -> Iterator[Shape]:
     """
     frames = [room.moved(origin) for room in layout.frames]
     cards = [room.moved(origin) if room else None for room in layout.cards]
-    nodes = layout.tree.nodes
+    nodes = layout.nodes
     for node, room, card in zip(nodes, frames, cards, strict=True):
         if node.parent is not None:
-            way = _Way(is_sideways=layout.is_sideways, is_dashed=node.is_static)
+            way = _Way(is_sideways=layout.is_sideways, is_dashed=node.is_dashed)
             yield from way.between(frames[node.parent], card or room, room)
     for node, room, card in zip(nodes, frames, cards, strict=True):
         if card is not None:
-            yield _facts(node, card)
+            yield _facts(node, card, "" if node.parent is None else nodes[node.parent].name)
         yield _frame(node, room)
 
 
@@ -82,7 +81,7 @@ class _Way:
         return room.point(1, 0.5) if self._is_sideways else room.point(0.5, 1)
 
 
-def _frame(node: TreeNode, room: Rectangle) -> Group:
+def _frame(node: CardNode, room: Rectangle) -> Group:
     fill, edge, ink = _FRAME, _FRAME_EDGE, INK
     if node.is_echo:
         fill, edge, ink = _LOOP, _LOOP_INK, _LOOP_INK
@@ -96,24 +95,23 @@ def _frame(node: TreeNode, room: Rectangle) -> Group:
         size=NAME_SIZE,
         align="middle",
     )
-    title = f"{node.name}, which comes again below: a loop" if node.is_echo else node.name
+    title = f"{node.name}, which is drawn elsewhere too" if node.is_echo else node.name
     return Group(
         title=title,
         shapes=(_box(room, fill, edge, radius=8.0, dashed=node.is_echo), name),
     )
 
 
-def _facts(node: TreeNode, room: Rectangle) -> Group:
-    assert node.report is not None  # only nodes with facts have room for them
-    facts = edge_facts(node.report)
+def _facts(node: CardNode, room: Rectangle, parent: str) -> Group:
     left = room.left + CARD_PADDING
+    column = column_of(node)
     lines = []
-    for row, (name, value) in enumerate(facts):
+    for row, (name, value) in enumerate(node.facts):
         y = room.top + 5 + FACT_HEIGHT * (row + 0.75)
         shown = shortened(value, LONGEST)
         lines.append(Text(place=(left, y), text=name, color=GREY, size=FACT_SIZE))
-        lines.append(Text(place=(left + COLUMN, y), text=shown, color=INK, size=FACT_SIZE))
-    title = f"{node.report.parent} -> {node.name}: " + ", ".join(": ".join(fact) for fact in facts)
+        lines.append(Text(place=(left + column, y), text=shown, color=INK, size=FACT_SIZE))
+    title = f"{parent} -> {node.name}: " + ", ".join(": ".join(fact) for fact in node.facts)
     return Group(title=title, shapes=(_box(room, _CARD, _CARD_EDGE, radius=4.0), *lines))
 
 

@@ -1,4 +1,4 @@
-"""Where each frame of a tree is drawn, and where its facts: rectangles, none on top of another."""
+"""Where each node of a tree is drawn, and where its facts: rectangles, none on top of another."""
 
 from __future__ import annotations
 
@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from typing import Final
 
 from simkit.viz.drawing import Point
-from simkit.viz.forest import Tree, TreeNode
-from simkit.viz.frames_dot import edge_facts
 from simkit.viz.letters import shortened, text_width
 from simkit.viz.tidy_tree import depths, tidy_middles
 
@@ -16,13 +14,10 @@ NAME_SIZE: Final = 13.5
 FACT_SIZE: Final = 11.0
 FACT_HEIGHT: Final = 15.0
 CARD_PADDING: Final = 9.0
-COLUMN: Final = text_width("Most recent transform", FACT_SIZE) + 10
-"""From the left edge of the facts' names to that of their values [px]."""
 LONGEST: Final = 44
 """Letters of a name that are shown; of a longer one the middle is left out."""
 
-_FRAME_HEIGHT = 30.0
-_CARD_HEIGHT = 5 * FACT_HEIGHT + 10
+_NODE_HEIGHT = 30.0
 _ARROW = 18.0
 _BEND_DOWN, _BEND_SIDEWAYS = 28.0, 56.0
 _PADDING, _GAP = 18.0, 22.0
@@ -52,13 +47,29 @@ class Rectangle:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class CardNode:
+    """A node of a tree, with the facts on the line to its parent."""
+
+    name: str
+    """Its name."""
+    parent: int | None
+    """Number of its parent in the tree; None for the root."""
+    facts: tuple[tuple[str, str], ...] = ()
+    """Names and values; none for the root."""
+    is_dashed: bool = False
+    """Whether the line to its parent is broken."""
+    is_echo: bool = False
+    """Whether it stands for a node that is drawn elsewhere too."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class TreeLayout:
     """A tree with a place for everything in it."""
 
-    tree: Tree
-    """The tree."""
+    nodes: tuple[CardNode, ...]
+    """The tree: the root first, a parent before its children."""
     frames: tuple[Rectangle, ...]
-    """Room of each node's frame."""
+    """Room of each node."""
     cards: tuple[Rectangle | None, ...]
     """Room for the facts of each node; None where there are none."""
     is_sideways: bool
@@ -67,16 +78,16 @@ class TreeLayout:
     """Width and height of the whole, with a border [px]."""
 
 
-def tree_layout(tree: Tree, *, is_sideways: bool) -> TreeLayout:
+def tree_layout(nodes: Sequence[CardNode], *, is_sideways: bool) -> TreeLayout:
     """Places for a tree.
 
     Args:
-        tree: The tree.
+        nodes: The tree: the root first, a parent before its children.
         is_sideways: Let it grow to the right rather than downwards.
     """
-    parents = [node.parent for node in tree.nodes]
-    frames = [(_frame_width(node), _FRAME_HEIGHT) for node in tree.nodes]
-    cards = [_card_size(node) for node in tree.nodes]
+    parents = [node.parent for node in nodes]
+    frames = [(_name_width(node), _NODE_HEIGHT) for node in nodes]
+    cards = [_card_size(node) for node in nodes]
     along, across = (0, 1) if is_sideways else (1, 0)
     breadths = [max(f[across], c[across]) for f, c in zip(frames, cards, strict=True)]
     middles = [_PADDING + m for m in tidy_middles(parents, breadths=breadths, gap=_GAP)]
@@ -96,7 +107,7 @@ def tree_layout(tree: Tree, *, is_sideways: bool) -> TreeLayout:
     ]
     rooms = [*boxes, *(card for card in facts if card is not None)]
     return TreeLayout(
-        tree=tree,
+        nodes=tuple(nodes),
         frames=tuple(boxes),
         cards=tuple(facts),
         is_sideways=is_sideways,
@@ -107,15 +118,21 @@ def tree_layout(tree: Tree, *, is_sideways: bool) -> TreeLayout:
     )
 
 
-def _frame_width(node: TreeNode) -> float:
+def column_of(node: CardNode) -> float:
+    """From the left edge of the names of a node's facts to that of their values [px]."""
+    return max(text_width(name, FACT_SIZE) for name, _ in node.facts) + 10
+
+
+def _name_width(node: CardNode) -> float:
     return max(text_width(shortened(node.name, LONGEST), NAME_SIZE) + 28, 64.0)
 
 
-def _card_size(node: TreeNode) -> Point:
-    if node.report is None:
+def _card_size(node: CardNode) -> Point:
+    if not node.facts:
         return (0.0, 0.0)
-    values = [text_width(shortened(v, LONGEST), FACT_SIZE) for _, v in edge_facts(node.report)]
-    return (COLUMN + max(values) + 2 * CARD_PADDING, _CARD_HEIGHT)
+    values = [text_width(shortened(v, LONGEST), FACT_SIZE) for _, v in node.facts]
+    width = column_of(node) + max(values) + 2 * CARD_PADDING
+    return (width, len(node.facts) * FACT_HEIGHT + 10)
 
 
 def _starts(

@@ -1,6 +1,8 @@
 """Simulations and scripts for the tests of simkit."""
 
+import importlib.util
 import textwrap
+from pathlib import Path
 
 import pytest
 
@@ -40,3 +42,15 @@ def run_script(sim, package):
         return node
 
     return run
+
+
+@pytest.fixture(scope="session")
+def mutated():
+    """`mutated(text, rng)` of `xml/mutations.py`: the text in bytes, spoiled in one to four places."""
+    path = Path(__file__).parent / "xml/mutations.py"
+    spec = importlib.util.spec_from_file_location("xml_mutations", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module.mutated

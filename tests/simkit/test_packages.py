@@ -55,6 +55,15 @@ def test_some_folders_are_not_looked_into(make, path, folder):
     assert path.packages() == {}
 
 
+def test_a_folder_that_asks_for_it_is_passed_over_unless_it_is_named(make, path):
+    make("robots/CATKIN_IGNORE")
+    make("robots/arm/package.xml")
+    make("work/arm/package.xml")
+    assert path.find("arm").folder == make.folder / "work/arm"
+    robots = PackagePath([make.folder / "robots"])
+    assert robots.find("arm").folder == make.folder / "robots/arm"
+
+
 def test_links_are_not_followed(make, path):
     make("one/package.xml")
     (make.folder / "link").symlink_to(make.folder / "one")
@@ -124,3 +133,27 @@ def test_two_files_of_one_name_are_no_answer(make, path):
     make("robot/old/drive.py")
     with pytest.raises(PackageError, match=r"old/drive\.py, scripts/drive\.py"):
         path.find("robot").find_executable("drive.py")
+
+
+def test_where_nothing_is_confined_any_file_may_be_read(make, path):
+    assert path.may_read("/anything")
+
+
+def test_confined_only_the_files_of_packages_may_be_read(make, monkeypatch):
+    make("ws/robot/package.xml")
+    make("ws/loose.txt")
+    make("elsewhere/package.xml")
+    make("ws/robot/urdf/r.urdf")
+    (make.folder / "ws/robot/link").symlink_to(make.folder / "ws/loose.txt")
+    (make.folder / "ws/robot/self").symlink_to(make.folder / "ws/robot/self")
+    (make.folder / "door").symlink_to(make.folder / "ws/robot")
+    monkeypatch.setenv("SIMKIT_PACKAGE_PATH", str(make.folder / "elsewhere"))
+    confined = PackagePath([make.folder / "ws"], confined=True)
+    robot = make.folder / "ws/robot"
+    for inside in ("urdf/r.urdf", "not/there", "urdf/../urdf/r.urdf", "../robot/x"):
+        assert confined.may_read(robot / inside), inside
+    assert confined.may_read(make.folder / "door/urdf/r.urdf")
+    for outside in ("../loose.txt", "link", "self", "urdf/../../loose.txt", "/etc/passwd", "a\0b"):
+        assert not confined.may_read(robot / outside), outside
+    assert not confined.may_read(make.folder / "elsewhere/package.xml")
+    assert list(confined.packages()) == ["robot"]

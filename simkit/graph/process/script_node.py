@@ -235,7 +235,7 @@ class ScriptNode:
         text = self._decoder.decode(self._output[self._shown :])
         self._shown = len(self._output)
         if text:
-            self.graph.screen.output(self.name, text)
+            self.graph.show_output(self.name, text)
 
     def _sleep_until(self, wake_ns: int) -> None:
         if wake_ns == NEVER:

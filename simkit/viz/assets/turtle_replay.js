@@ -1,29 +1,10 @@
-"use strict";
 // Plays what turtles did. Data: see TurtleReplay in turtle_replay.py; rows are [time, x, y, ...].
 (() => {
   const tape = JSON.parse(document.getElementById("data").textContent);
-  const [play, slider, clock, speed, paper, trails] =
-    ["play", "time", "clock", "speed", "paper", "trails"].map((id) => document.getElementById(id));
+  const [paper, trails] = ["paper", "trails"].map((id) => document.getElementById(id));
   const bodies = [...document.querySelectorAll(".turtle")];
   const cells = [...document.querySelectorAll("#poses tr")].slice(1).map((row) => [...row.cells].slice(1));
-  let now = tape.duration, shown = -1, lines = [], running = false, last = 0;
-
-  // Index of the last row that is not later than a time; -1 before the first.
-  function rowAt(rows, time) {
-    let low = 0, high = rows.length;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (rows[middle][0] <= time) low = middle + 1; else high = middle;
-    }
-    return low - 1;
-  }
-
-  function between(rows, index, time) {
-    const before = rows[index], after = rows[index + 1];
-    if (!after || after[0] === before[0]) return before;
-    const ratio = (time - before[0]) / (after[0] - before[0]);
-    return before.map((value, i) => value + ratio * (after[i] - value));
-  }
+  let now = tape.duration, shown = -1, lines = [];
 
   function showSheet(index) {
     if (index === shown) return;
@@ -69,34 +50,11 @@
     cells[number].forEach((cell, i) => { cell.textContent = values[i].toFixed(i < 2 ? 2 : 0); });
   }
 
-  function show() {
+  new Player(tape.duration, (time) => {
+    now = time;
     const later = tape.sheets.findIndex((sheet) => sheet.since > now);
     showSheet((later < 0 ? tape.sheets.length : Math.max(later, 1)) - 1);
     lines.forEach(showTrail);
     tape.turtles.forEach(showTurtle);
-    clock.value = `${now.toFixed(2)} s`;
-    slider.setAttribute("aria-valuetext", `${now.toFixed(1)} seconds`);
-  }
-
-  function step(time) {
-    if (!running) return;
-    now = Math.min(now + (time - last) / 1000 * Number(speed.value), tape.duration);
-    last = time;
-    slider.value = now;
-    show();
-    if (now >= tape.duration) setRunning(false); else requestAnimationFrame(step);
-  }
-
-  function setRunning(wanted) {
-    running = wanted;
-    play.textContent = wanted ? "Pause" : "Play";
-    if (!wanted) return;
-    if (now >= tape.duration) now = 0;
-    last = performance.now();
-    requestAnimationFrame(step);
-  }
-
-  play.addEventListener("click", () => setRunning(!running));
-  slider.addEventListener("input", () => { now = Number(slider.value); show(); });
-  show();
+  });
 })();

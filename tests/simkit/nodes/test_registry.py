@@ -7,6 +7,8 @@ import pytest
 
 from simkit.graph.names import split_command_line
 from simkit.nodes import builtin_nodes
+from simkit.nodes.joint_state_publisher import JointStatePublisher, JointStatePublisherGui
+from simkit.nodes.robot_state_publisher import RobotStatePublisher, StatePublisher
 from simkit.nodes.turtlesim import DrawSquare, Mimic, TurtlesimNode, TurtleTeleop
 
 CLASSES = {
@@ -22,6 +24,24 @@ def test_each_entry_starts_its_class_under_the_name_of_ros(bench, executable: st
     name, node_class = CLASSES[executable]
     assert isinstance(bench.start(executable), node_class)
     assert name in bench.graph.nodes
+
+
+PUBLISHERS = {
+    ("joint_state_publisher", "joint_state_publisher"): JointStatePublisher,
+    ("joint_state_publisher_gui", "joint_state_publisher_gui"): JointStatePublisherGui,
+    ("robot_state_publisher", "robot_state_publisher"): RobotStatePublisher,
+    ("robot_state_publisher", "state_publisher"): StatePublisher,
+}
+
+
+@pytest.mark.parametrize("key", PUBLISHERS)
+def test_the_publishers_of_a_robot_start_under_the_names_of_their_packages(bench, key) -> None:
+    bench.graph.params.set("/robot_description", '<robot name="r"><link name="a"/></robot>')
+    definition = builtin_nodes()[key]
+    assert definition.node_name == definition.package
+    node = bench.graph.create_node(f"/{definition.node_name}")
+    assert type(definition(node, [])) is PUBLISHERS[key]
+    assert node.alive
 
 
 def test_keys_are_the_names_of_their_entries() -> None:

@@ -117,6 +117,20 @@ def test_tf_echo_is_shown_for_a_moment(cells):
     assert shown[6].out.splitlines()[-1] == "(10 messages; -n COUNT shows so many)"
 
 
+def test_rviz_is_shown_below_the_line_that_starts_it(cells):
+    shown = cells(
+        "%rosrun tf static_transform_publisher 2 0 0 0 0 0 world carrot1 100",
+        "%rosrun rviz rviz",
+        "%rosrun rviz rviz -f carrot2",
+        "%rosrun rviz rviz --what",
+        "%rosnode list",
+    )
+    assert shown[1].out == "RvizView('2 frames seen from world.')\n"
+    assert "Fixed Frame [carrot2] does not exist. Did you mean [carrot1]?" in shown[2].out
+    assert not shown[3].ok
+    assert "rviz" not in shown[4].out
+
+
 @pytest.mark.parametrize(
     ("line", "text"),
     [

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import html
 import json
 import math
 import re
+import shutil
+import subprocess
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Sequence
 from html.parser import HTMLParser
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -17,8 +21,20 @@ from simkit.msgs import Duration, Time, message_class, service_class
 from simkit.nodes import builtin_nodes
 from simkit.tf import Buffer
 from simkit.tf.transformations import quaternion_from_euler
+from simkit.urdf import load_robot
+from simkit.viz.robot_solids import RobotShapes, robot_shapes
 
 START = 1_600_088_400
+BROWSER = next(
+    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
+)
+OPTIONS = (
+    *("--headless", "--no-sandbox", "--disable-background-networking", "--no-first-run"),
+    *("--disable-component-update", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"),
+    *("--window-size=900,700", "--virtual-time-budget=4000"),
+)
+WITH_3D = ("--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader")
+WITHOUT_3D = ("--disable-3d-apis",)
 SVG = "{http://www.w3.org/2000/svg}"
 VOID = {"meta", "input", "br", "img", "link"}
 
@@ -71,7 +87,10 @@ class Page(HTMLParser):
         assert self._open.pop() == tag
 
     def handle_data(self, data: str) -> None:
-        (self.scripts if self._open[-1:] == ["script"] else self.texts).append(data)
+        if self._open[-1:] != ["script"]:
+            self.texts.append(data)
+        elif self.tags[-1][1].get("id") != "library":  # that is three.js, packed
+            self.scripts.append(data)
 
     def by_id(self, name: str) -> tuple[str, dict[str, str | None]]:
         ((tag, attributes),) = [found for found in self.tags if found[1].get("id") == name]
@@ -80,6 +99,26 @@ class Page(HTMLParser):
     @property
     def data(self) -> Any:
         return json.loads(self.scripts[0])
+
+
+class Drive:
+    """A recording of a turtle that drives straight for two seconds."""
+
+    def __init__(self) -> None:
+        self._messages: list[tuple[Time, Any]] = []
+        for k in range(101):
+            one: Any = message_class("geometry_msgs/TransformStamped")()
+            one.header.frame_id, one.child_frame_id = "world", "turtle1"
+            one.header.stamp = Time.from_nsec(START * 10**9 + k * 20_000_000)
+            one.transform.translation.x, one.transform.rotation.w = k / 50, 1.0
+            message: Any = message_class("tf2_msgs/TFMessage")(transforms=[one])
+            self._messages.append((one.header.stamp, message))
+
+    def topics(self) -> list[str]:
+        return ["/tf"]
+
+    def __getitem__(self, topic: str) -> list[tuple[Time, Any]]:
+        return {"/tf": self._messages}[topic]
 
 
 class Window:
@@ -136,6 +175,68 @@ def turtles() -> FilledBuffer:
     return buffer
 
 
+ARM = """
+<robot name="hello_ros_robot">
+  <link name="world"/>
+  <link name="base_link">
+    <visual>
+      <geometry><cylinder length="0.05" radius="0.1"/></geometry>
+      <material name="silver"><color rgba="0.75 0.75 0.75 1"/></material>
+      <origin xyz="0 0 0.025"/>
+    </visual>
+  </link>
+  <joint name="fixed" type="fixed"><parent link="world"/><child link="base_link"/></joint>
+  <link name="torso">
+    <visual>
+      <geometry><cylinder length="0.5" radius="0.05"/></geometry>
+      <material name="silver"/>
+      <origin xyz="0 0 0.25"/>
+    </visual>
+    <collision>
+      <geometry><box size="0.1 0.1 0.5"/></geometry>
+      <origin xyz="0 0 0.25"/>
+    </collision>
+  </link>
+  <joint name="hip" type="continuous">
+    <axis xyz="0 0 1"/><parent link="base_link"/><child link="torso"/><origin xyz="0 0 0.05"/>
+  </joint>
+  <link name="upper_arm">
+    <visual>
+      <geometry><cylinder length="0.4" radius="0.05"/></geometry>
+      <material name="orange"><color rgba="1 0.5 0 0.5"/></material>
+      <origin xyz="0 0 0.2"/>
+    </visual>
+  </link>
+  <joint name="shoulder" type="continuous">
+    <axis xyz="0 1 0"/><parent link="torso"/><child link="upper_arm"/>
+    <origin rpy="0 1.5708 0" xyz="0 -0.1 0.45"/>
+  </joint>
+</robot>
+"""
+
+
+@pytest.fixture
+def arm_text() -> str:
+    """The URDF of the arm."""
+    return ARM
+
+
+@pytest.fixture
+def arm() -> RobotShapes:
+    """The shapes of an arm: a base, a torso that also collides, a transparent upper arm."""
+    return robot_shapes(load_robot(ARM, file="arm.urdf"))
+
+
+@pytest.fixture
+def arm_frames() -> FilledBuffer:
+    """The frames of the arm, the torso turned by half a radian, the upper arm level."""
+    buffer = FilledBuffer()
+    buffer.put("world", "base_link", static=True)
+    buffer.put("base_link", "torso", START, (0, 0, 0.05), (0, 0, 0.5))
+    buffer.put("torso", "upper_arm", START, (0, -0.1, 0.45), (0, math.pi / 2, 0))
+    return buffer
+
+
 @pytest.fixture
 def two_trees(turtles: FilledBuffer) -> FilledBuffer:
     """The turtles, and a robot on a map that nobody joined to their world."""
@@ -160,6 +261,11 @@ def hostile() -> FilledBuffer:
     for name in names:
         buffer.put("wörld", name, START, (1, 2, 3), by="<i>node</i>")
     return buffer
+
+
+@pytest.fixture
+def drive() -> Drive:
+    return Drive()
 
 
 @pytest.fixture
@@ -188,7 +294,10 @@ def read_page() -> Callable[[str], Page]:
 
     def read(text: str) -> Page:
         page = Page(text)
-        assert not re.findall(r"(?:src|href)=|@import|url\(|https?://(?!www\.w3\.org/)", text)
+        assert not re.findall(
+            r'(?:src|href)=(?!"data:image/png;base64,)|@import|url\(|https?://(?!www\.w3\.org/)',
+            text,
+        )
         policies = [a["content"] for tag, a in page.tags if "http-equiv" in a]
         assert policies
         assert policies[0] is not None
@@ -196,3 +305,48 @@ def read_page() -> Callable[[str], Page]:
         return page
 
     return read
+
+
+@pytest.fixture
+def browse(tmp_path: Path) -> Callable[..., str]:
+    """Opens an address in a browser without a screen; answers with its output."""
+    if BROWSER is None:
+        pytest.skip("no chromium on this machine")
+
+    def browse(address: str, *options: str, three_d: bool = True) -> str:
+        drawing = WITH_3D if three_d else WITHOUT_3D
+        profile = f"--user-data-dir={tmp_path / 'profile'}"
+        command = [BROWSER, *OPTIONS, *drawing, profile, *options, address]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True)
+        return done.stdout
+
+    return browse
+
+
+@pytest.fixture
+def run_in_page(browse: Callable[..., str], tmp_path: Path) -> Callable[..., Any]:
+    """Opens a page, runs the body of an async function in it, and returns its answer."""
+
+    def run(page: str, script: str, *, before: str = "", three_d: bool = True) -> Any:
+        # Errors are collected from before the page's own script on. A browser without a screen
+        # paints when it likes; timers follow its virtual time.
+        collect = (
+            "<script>window.faults=[];onerror=(text)=>{faults.push(text)};"
+            "onunhandledrejection=(event)=>{faults.push(String(event.reason))};"
+            f"requestAnimationFrame=(draw)=>setTimeout(()=>draw(performance.now()),16);{before}</script>"
+        )
+        ask = (
+            "<script>(async()=>{const frame=()=>new Promise((go)=>requestAnimationFrame(go));"
+            f"const answer=await(async()=>{{{script}}})().catch((error)=>faults.push(String(error)));"
+            "document.body.setAttribute('data-answer',JSON.stringify({answer,faults}))})()</script>"
+        )
+        file = tmp_path / "page.html"
+        text = page.replace("<body>", f"<body>{collect}", 1).replace("</body>", f"{ask}</body>")
+        file.write_text(text, encoding="utf-8")
+        shown = browse(file.as_uri(), "--dump-dom", three_d=three_d)
+        (answer,) = re.findall(r'data-answer="([^"]*)"', shown)
+        found = json.loads(html.unescape(answer))
+        assert found["faults"] == []
+        return found["answer"]
+
+    return run

@@ -12,7 +12,7 @@ NASTY = "</script><script>alert(1)</script><!-- & \u2028 \x00 \ud800"
 
 
 def page(data=None, **changes):
-    options = {"title": "t", "name": "frames_view", "body": "<p>b</p>", "data": data} | changes
+    options = {"title": "t", "name": "turtle_replay", "body": "<p>b</p>", "data": data} | changes
     return html_page(**options)
 
 
@@ -47,8 +47,24 @@ def test_a_page_inside_another_keeps_every_letter():
 def test_our_scripts_are_small_and_ask_nobody():
     assets = resources.files("simkit.viz").joinpath("assets")
     scripts = [file for file in assets.iterdir() if file.name.endswith(".js")]
-    assert len(scripts) == 2
+    assert len(scripts) > 5
     for script in scripts:
         text = script.read_text(encoding="utf-8")
-        assert len(text) < 15_000
-        assert not re.search(r"fetch|XMLHttp|import\b|WebSocket|innerHTML|eval|Function\(", text)
+        assert len(text) < 10_000
+        assert not re.search(r"fetch|XMLHttp|import\b|innerHTML|eval|Function\(", text)
+        assert ("WebSocket" in text) == (script.name == "rviz_live.js")
+
+
+def test_a_page_talks_to_nobody_unless_it_is_allowed(read_page):
+    def policy(text):
+        (found,) = [a["content"] for tag, a in read_page(text).tags if "http-equiv" in a]
+        return found
+
+    assert "connect-src" not in policy(page())
+    assert policy(page(connects_to="ws://127.0.0.1:1/x")).endswith("connect-src ws://127.0.0.1:1/x")
+
+
+def test_several_scripts_are_one():
+    text = page(scripts=["tape", "turtle_replay"])
+    assert text.count("<script>") == 1
+    assert 0 < text.index("class Player") < text.index("new Player")

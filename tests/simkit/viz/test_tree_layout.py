@@ -6,35 +6,19 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from simkit.tf.frame_report import FrameReport
-from simkit.viz.forest import Tree, TreeNode
-from simkit.viz.tree_layout import tree_layout
+from simkit.viz.tree_layout import CardNode, tree_layout
 
 NAMES = st.text(min_size=1, max_size=80)
-
-
-def report(name, parent, broadcaster):
-    return FrameReport(
-        name=name,
-        parent=parent,
-        broadcaster=broadcaster,
-        rate=62.5,
-        newest=1600088402.0,
-        oldest=1600088400.0,
-        length=2.0,
-    )
+FACTS = st.lists(st.tuples(NAMES, NAMES), min_size=1, max_size=7).map(tuple)
 
 
 @st.composite
 def trees(draw):
-    nodes = [TreeNode(name=draw(NAMES), parent=None, report=None, is_static=False)]
+    nodes = [CardNode(name=draw(NAMES), parent=None)]
     for number in range(1, draw(st.integers(1, 16))):
-        parent, name = draw(st.integers(0, number - 1)), draw(NAMES)
-        facts = report(name, nodes[parent].name, draw(NAMES))
-        nodes.append(
-            TreeNode(name=name, parent=parent, report=facts, is_static=draw(st.booleans()))
-        )
-    return Tree(nodes=tuple(nodes))
+        parent = draw(st.integers(0, number - 1))
+        nodes.append(CardNode(name=draw(NAMES), parent=parent, facts=draw(FACTS)))
+    return nodes
 
 
 @pytest.mark.parametrize("is_sideways", [False, True])
@@ -62,7 +46,7 @@ def test_everything_lies_inside_and_children_after_parents(is_sideways, tree):
         assert room.top >= 0
         assert room.left + room.width <= layout.size[0]
         assert room.top + room.height <= layout.size[1]
-    for node, room, card in zip(tree.nodes, layout.frames, layout.cards, strict=True):
+    for node, room, card in zip(tree, layout.frames, layout.cards, strict=True):
         if node.parent is None:
             assert card is None
             continue

@@ -1,0 +1,212 @@
+"""Exercise 3.7, public checks: a torso on a hip that turns, and the nodes that make frames of it."""
+
+import pytest
+
+from grader.checks import after, expect, expect_close, expect_equal, points
+from grader.checks.answers import given_answer, words_of
+from grader.checks.moved_robot import MovedRobot, require_joint
+from grader.checks.robots import RobotFiles, link_of, only_visual
+from grader.checks.rotations import about_z, apart, times
+from simkit.urdf import Cylinder, JointType
+
+ROBOT = "hello_ros_robot_2.urdf"
+LAUNCH = "urdf_launch_2.launch"
+
+
+@pytest.fixture
+def robots(exercise, submission, package_path):
+    """The student's URDF files."""
+    return RobotFiles(exercise, submission, package_path)
+
+
+@pytest.fixture
+def moved(sim, robots):
+    """The student's robot on the graph."""
+    return MovedRobot(sim, robots.robot(ROBOT), robots.text(ROBOT))
+
+
+@points(1)
+def test_check_urdf_takes_your_robot(robots):
+    """check_urdf finds nothing wrong with hello_ros_robot_2.urdf: torso hangs on base_link, base_link on world."""
+    robots.expect_clean(ROBOT)
+    robot = robots.robot(ROBOT)
+    expect_equal(robot.root, "world", what="the root of the tree")
+    for link, parent in (("base_link", "world"), ("torso", "base_link")):
+        link_of(robot, link)
+        above = robot.joint_above(link)
+        expect_equal(
+            above.parent if above else None,
+            parent,
+            what=f"the link that {link} hangs on",
+            hint="A joint names the parent that holds, and the child that is held.",
+        )
+
+
+@points(1)
+@after("test_check_urdf_takes_your_robot")
+def test_the_torso_has_its_shape(robots):
+    """The torso is a silver cylinder, 0.5 m long, with a radius of 0.05 m."""
+    visual = only_visual(robots.robot(ROBOT), "torso")
+    shape = visual.geometry
+    expect(
+        isinstance(shape, Cylinder),
+        f"the torso is a {type(shape).__name__.lower()}, not a cylinder",
+        hint="Inside <geometry> stands <cylinder length=... radius=.../>.",
+    )
+    expect_close(
+        (shape.length, shape.radius),
+        (0.5, 0.05),
+        tolerance=1e-6,
+        what="length and radius of the torso",
+        unit="m",
+        hint="The length runs along z; the radius is half the width.",
+    )
+    expect_close(
+        visual.material.rgba if visual.material else None,
+        (0.75, 0.75, 0.75, 1.0),
+        tolerance=0.01,
+        what="the colour of the torso",
+        hint='It is silver, as the base: <material name="silver"/> is enough, once it is defined.',
+    )
+
+
+@points(1)
+@after("test_the_torso_has_its_shape")
+def test_the_torso_stands_on_the_base(moved):
+    """The torso stands upright on the base: its lower end at height 0.05 m, its upper at 0.55 m."""
+    ends = sorted(moved.move(hip=0.0) or moved.ends("torso"), key=lambda end: end[2])
+    for end, height, which in zip(ends, (0.05, 0.55), ("lower", "upper"), strict=True):
+        expect_close(
+            end,
+            (0.0, 0.0, height),
+            tolerance=1e-4,
+            what=f"the {which} end of the torso",
+            unit="m",
+            frame="world",
+            hint="The hip is on top of the base; the middle of the torso is half its length above the hip.",
+        )
+
+
+@points(2)
+@after("test_check_urdf_takes_your_robot")
+def test_the_hip_turns_about_z(robots, moved, rng):
+    """When the hip is at an angle, the torso is turned by that angle about the vertical axis, to the left."""
+    require_joint(robots.robot(ROBOT), "hip")
+    moved.move(hip=0.0)
+    place, straight = moved.pose("torso")
+    for _ in range(3):
+        angle = rng.uniform(-1.5, 1.5)
+        moved.move(hip=angle)
+        new_place, turned = moved.pose("torso")
+        hint = (
+            "The hip turns about its <axis>: z points up. "
+            "Without an axis it is x; with a minus sign the torso turns the other way."
+        )
+        expect_close(
+            apart(turned, times(about_z(angle), straight)),
+            0.0,
+            tolerance=1e-4,
+            what=f"the difference to a turn of {angle:.2f} rad about z",
+            unit="rad",
+            hint=hint,
+        )
+        expect_close(
+            new_place,
+            place,
+            tolerance=1e-4,
+            what=f"the place of torso after a turn of {angle:.2f} rad",
+            unit="m",
+            frame="world",
+            hint="The frame of torso lies on the axis: x and y of the hip's origin are 0.",
+        )
+
+
+@points(2)
+@after("test_check_urdf_takes_your_robot")
+def test_the_launch_file_brings_the_frames(sim, roslaunch):
+    """After the launch tf knows world, base_link and torso, and a slider moves the hip."""
+    launched = roslaunch(LAUNCH)
+    expect(
+        sim.run_until(lambda: sim.tf.can_transform("world", "torso"), 2.0),
+        "2 s after the launch tf does not know torso, seen from world",
+        hint="robot_state_publisher makes the frames, from robot_description and from the angles that "
+        "joint_state_publisher says. Do both run? " + what_runs(sim),
+    )
+    slider = slider_of(launched)
+    slider.set_position("hip", 0.5)
+    sim.run(0.3)
+    state = sim.latest("/joint_states")
+    expect_close(
+        dict(zip(state.name, state.position, strict=True)).get("hip"),
+        0.5,
+        tolerance=1e-3,
+        what="the angle of the hip after its slider was moved to 0.5 rad",
+        unit="rad",
+    )
+
+
+def what_runs(sim):
+    """The nodes that are up, as a sentence."""
+    names = [name for name in sim.nodes() if name != "/simkit"]
+    return f"Nodes that run: {', '.join(names) or 'none'}."
+
+
+def slider_of(launched):
+    """The program with the sliders."""
+    for node in launched.nodes.values():
+        program = getattr(node, "program", None)
+        if hasattr(program, "set_position"):
+            return program
+    return expect(
+        False,
+        "no slider is there",
+        hint="joint_state_publisher shows sliders if the parameter use_gui is true: "
+        '<param name="use_gui" value="true"/>.',
+    )
+
+
+@points(1)
+def test_your_answers(submission):
+    """The answers say what hangs on what, what never moves, who broadcasts, and how often."""
+    for name, right, hint in (
+        (
+            "parent_of_torso",
+            "base_link",
+            "In the drawing an arrow leads from the parent to the child.",
+        ),
+        (
+            "never_moves",
+            "base_link",
+            "Its joint is the one of type fixed; it is the child of that joint.",
+        ),
+        (
+            "broadcaster",
+            "robot_state_publisher",
+            "The drawing names the broadcaster beside each arrow.",
+        ),
+    ):
+        expect(
+            words_of(given_answer(submission, name))[-1:] == [right],
+            f"{name} is not right",
+            hint=hint,
+        )
+    expect_close(
+        given_answer(submission, "torso_rate"),
+        10.0,
+        tolerance=0.6,
+        what="torso_rate",
+        unit="Hz",
+        hint="The drawing shows the average rate of each transform that is sent again and again.",
+    )
+
+
+@points(1)
+@after("test_the_hip_turns_about_z")
+def test_the_hip_has_no_end(robots):
+    """The hip can turn round and round."""
+    hip = robots.robot(ROBOT).joints["hip"]
+    expect(
+        hip.type is JointType.CONTINUOUS,
+        f"the hip is {hip.type.value}: it stops at its limits",
+        hint='A joint that turns round and round has type="continuous".',
+    )

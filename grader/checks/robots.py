@@ -1,0 +1,132 @@
+"""Robots that a student describes: what urdfdom makes of the file, and what is wrong with it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from grader.checks.nodes import require_handed_in
+from grader.errors import CheckFailed
+from grader.exercises import Exercise
+from grader.submission import Submission
+from simkit.diagnostics import Diagnostic, Severity
+from simkit.packages import PackagePath
+from simkit.urdf import Link, Reading, Robot, Visual, read_robot
+from simkit.urdf.rules import check_robot
+from simkit.xml import parse_xml
+
+
+class RobotFiles:
+    """The URDF files of one submission.
+
+    Args:
+        exercise: What was asked for.
+        submission: What was handed in.
+        package_path: Folder with the student's files, laid out as ROS packages.
+    """
+
+    def __init__(self, exercise: Exercise, submission: Submission, package_path: Path) -> None:
+        self._exercise = exercise
+        self._submission = submission
+        self._packages = PackagePath([package_path], confined=True)
+
+    def text(self, file: str) -> str:
+        """The text of a file.
+
+        Args:
+            file: Its name, or its path as in the exercise.
+
+        Raises:
+            CheckFailed: It was not handed in.
+        """
+        return self._submission.files[self._path(file)]
+
+    def robot(self, file: str) -> Robot:
+        """The robot that a file describes.
+
+        Raises:
+            CheckFailed: It was not handed in, or ROS refuses it; says where and why.
+        """
+        reading = self._reading(file)
+        if reading.robot is None:
+            raise _refused(file, self._found(file), reading)
+        return reading.robot
+
+    def expect_clean(self, file: str, *, severity: Severity = Severity.WARNING) -> None:
+        """Expect `simkit check_urdf` to have nothing to say but notes.
+
+        Args:
+            file: Its name, or its path as in the exercise.
+            severity: The mildest that is a fault: WARNING, or ERROR.
+
+        Raises:
+            CheckFailed: It has; names the first thing, and how many more there are.
+        """
+        reading = self._reading(file)
+        grave = (Severity.ERROR,) if severity is Severity.ERROR else (Severity.ERROR, severity)
+        found = [one for one in self._found(file) if one.severity in grave]
+        if reading.robot is None:
+            raise _refused(file, found, reading)
+        if found:
+            raise _complaint(found)
+
+    def _path(self, file: str) -> str:
+        return require_handed_in(file, self._exercise, self._submission)
+
+    def _reading(self, file: str) -> Reading:
+        path = self._path(file)
+        return read_robot(self._submission.files[path], file=path, packages=self._packages)
+
+    def _found(self, file: str) -> tuple[Diagnostic, ...]:
+        path = self._path(file)
+        document = parse_xml(self._submission.files[path], file=path)
+        return check_robot(document, packages=self._packages)
+
+
+def link_of(robot: Robot, name: str) -> Link:
+    """A link by name.
+
+    Raises:
+        CheckFailed: The robot has none of that name.
+    """
+    if name not in robot.links:
+        raise CheckFailed(
+            f"the robot has no link {name}",
+            expected=f"a link named {name}",
+            actual=", ".join(sorted(robot.links)) or "no link",
+            hint="Names count to the letter, capitals too.",
+        )
+    return robot.links[name]
+
+
+def only_visual(robot: Robot, link: str) -> Visual:
+    """The one thing that is to be seen of a link.
+
+    Raises:
+        CheckFailed: There is nothing, or more than one.
+    """
+    visuals = link_of(robot, link).visuals
+    if not visuals:
+        raise CheckFailed(
+            f"nothing is to be seen of {link}",
+            hint="A link is seen through its <visual>, which holds a <geometry>.",
+        )
+    if len(visuals) > 1:
+        raise CheckFailed(f"{link} has {len(visuals)} visuals", hint="One <visual> is enough here.")
+    return visuals[0]
+
+
+def _refused(
+    file: str, found: tuple[Diagnostic, ...] | list[Diagnostic], reading: Reading
+) -> CheckFailed:
+    errors = [one for one in found if one.severity is Severity.ERROR]
+    if errors:
+        return _complaint(errors)
+    said = reading.messages[0] if reading.messages else "it gave no reason"
+    return CheckFailed(f"check_urdf refuses {file}: {said}", hint="Run %check_urdf on it.")
+
+
+def _complaint(found: list[Diagnostic]) -> CheckFailed:
+    first = found[0]
+    more = f" (and {len(found) - 1} more; %check_urdf shows them all)" if len(found) > 1 else ""
+    place = f"{first.file}:{first.span.line}:{first.span.column}"
+    return CheckFailed(f"{place}: {first.what}{more}", hint=first.remedy)

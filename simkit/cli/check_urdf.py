@@ -1,0 +1,193 @@
+"""`simkit check_urdf`: what ROS makes of a URDF, and what is wrong with it.
+
+Source: check_urdf of urdfdom: standard output, and the exit code.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from simkit.cli.complaint import FAILURE, USAGE_ERROR, complain
+from simkit.cli.robot_file import RobotFile, read_file
+from simkit.diagnostics import Diagnostic, Rule, Severity, as_json, as_text, summary
+from simkit.errors import SimkitError, near_names
+from simkit.urdf import check_urdf_text, read_robot
+from simkit.urdf.rules import Companion, CompanionKind, all_rules, check_robot
+
+_PROGRAM = "simkit check_urdf"
+REFUSED = 255
+"""Exit code of the original for a file that it refuses, and for one that it cannot open."""
+_KINDS = {
+    ".launch": CompanionKind.LAUNCH,
+    ".yaml": CompanionKind.YAML,
+    ".yml": CompanionKind.YAML,
+}
+_EPILOG = """\
+Standard output and exit code are those of ROS's check_urdf: 0 if it accepts the file, 255 if not. What is wrong, where, what
+follows from it and what would be right stands on standard error. FILE may be package://PACKAGE/urdf/NAME.urdf, or - for
+standard input; launch and YAML files among them are checked together with the URDFs.
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Files, and how to look at them."""
+    parser.epilog = _EPILOG
+    parser.add_argument(
+        "files", metavar="FILE", nargs="*", help="a URDF file; several are checked one by one"
+    )
+    parser.add_argument(
+        "--strict",
+        action="store_true",
+        help="exit code 1 if there are errors or warnings, though ROS accepts the file",
+    )
+    parser.add_argument(
+        "--format",
+        choices=("text", "json"),
+        default="text",
+        help="json: all finds on standard output, and nothing else",
+    )
+    parser.add_argument("--notes", action="store_true", help="show notes whole, not in a line each")
+    parser.add_argument(
+        "--launch",
+        metavar="FILE",
+        action="append",
+        default=[],
+        help="a launch file that must fit the URDF",
+    )
+    parser.add_argument(
+        "--yaml",
+        metavar="FILE",
+        action="append",
+        default=[],
+        help="a file of controllers that must fit it",
+    )
+    parser.add_argument("--explain", metavar="ID", help="explain a rule, e.g. URDF-W07")
+    parser.add_argument("--list-rules", action="store_true", help="list all rules")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Check the files, or tell of the rules."""
+    if arguments.list_rules:
+        print(_rules_text())
+        return 0
+    if arguments.explain is not None:
+        return _explain(arguments.explain)
+    urdfs = [name for name in arguments.files if _kind(name) is None]
+    if not urdfs:
+        return complain(_PROGRAM, "Expect URDF xml file to parse", REFUSED)
+    try:
+        companions = tuple(_companions(arguments))
+    except SimkitError as error:
+        return complain(_PROGRAM, str(error), REFUSED)
+    checks = [_Check(name, companions, arguments) for name in urdfs]
+    for check in checks:
+        check.show(heading=len(checks) > 1)
+    if arguments.format == "json":
+        print(as_json([one for check in checks for one in check.diagnostics]))
+    return max(check.code for check in checks)
+
+
+class _Check:
+    """One file, read and looked at."""
+
+    def __init__(
+        self, name: str, companions: Sequence[Companion], arguments: argparse.Namespace
+    ) -> None:
+        self._name = name
+        self._is_text = arguments.format == "text"
+        self._shows_notes = bool(arguments.notes)
+        self.diagnostics: tuple[Diagnostic, ...] = ()
+        self.code = 0
+        self._out = self._err = self._complaint = ""
+        try:
+            self._look(read_file(name), companions)
+        except SimkitError as error:
+            self._complaint, self.code = str(error), REFUSED
+        is_worse = _is_worse_than_notes(self.diagnostics)
+        if arguments.strict and is_worse and self.code == 0:
+            self.code = FAILURE
+
+    def _look(self, file: RobotFile, companions: Sequence[Companion]) -> None:
+        reading = read_robot(file.data, file=file.name, packages=file.packages, folder=file.folder)
+        self._out, self._err, self.code = check_urdf_text(reading)
+        self.diagnostics = check_robot(
+            reading.document, packages=file.packages, companions=companions, folder=file.folder
+        )
+
+    def show(self, *, heading: bool) -> None:
+        """Print what ROS says of it, and what we find."""
+        if self._is_text:
+            sys.stdout.write((f"== {self._name}\n" if heading else "") + self._out)
+            sys.stdout.flush()
+            if heading and (self._err or self.diagnostics):
+                sys.stderr.write(f"== {self._name}\n")
+            sys.stderr.write(self._err)
+            sys.stderr.write(_text(self.diagnostics, whole=self._shows_notes))
+        if self._complaint:
+            complain(_PROGRAM, self._complaint)
+
+
+def _is_worse_than_notes(diagnostics: Sequence[Diagnostic]) -> bool:
+    return any(one.severity is not Severity.NOTE for one in diagnostics)
+
+
+def _text(diagnostics: Sequence[Diagnostic], *, whole: bool) -> str:
+    """Errors and warnings, then the notes, whole too or with their head only; then how many there are."""
+    if not diagnostics:
+        return ""
+    notes = [one for one in diagnostics if one.severity is Severity.NOTE and not whole]
+    told = [one for one in diagnostics if whole or one.severity is not Severity.NOTE]
+    more = " (--notes tells more)" if notes else ""
+    coloured = _is_coloured()
+    parts = [as_text(told, colour=coloured)] if told else []
+    if notes:
+        parts.append("".join(as_text([_head(one)], colour=coloured) for one in notes))
+    return "\n".join(parts) + f"{summary(diagnostics)}{more}\n"
+
+
+def _head(one: Diagnostic) -> Diagnostic:
+    return replace(one, path="", here="", gazebo="", remedy="", source="", related=())
+
+
+def _is_coloured() -> bool:
+    plain = "NO_COLOR" in os.environ or os.environ.get("TERM") == "dumb"
+    return sys.stderr.isatty() and not plain
+
+
+def _kind(name: str) -> CompanionKind | None:
+    return next((kind for suffix, kind in _KINDS.items() if name.endswith(suffix)), None)
+
+
+def _companions(arguments: argparse.Namespace) -> Iterable[Companion]:
+    named = [(name, kind) for name in arguments.files if (kind := _kind(name)) is not None]
+    named += [(name, CompanionKind.LAUNCH) for name in arguments.launch]
+    named += [(name, CompanionKind.YAML) for name in arguments.yaml]
+    for name, kind in named:
+        file = read_file(name)
+        yield Companion(kind=kind, file=file.name, text=file.data.decode("utf-8", "replace"))
+
+
+def _rules_text() -> str:
+    width = max(len(rule.id) for rule in all_rules())
+    return "\n".join(
+        f"{rule.id:<{width}}  {rule.severity.value:<7}  {rule.title}" for rule in all_rules()
+    )
+
+
+def _explain(name: str) -> int:
+    wanted = name.strip().upper()
+    found = [rule for rule in all_rules() if wanted in (rule.id, rule.id.partition("-")[2])]
+    if not found:
+        near = near_names(wanted, [rule.id for rule in all_rules()]) if len(wanted) < 40 else []
+        meant = f"; did you mean {' or '.join(near)}?" if near else "; --list-rules lists them"
+        return complain(_PROGRAM, f"no rule {name!r}{meant}", USAGE_ERROR)
+    print("\n\n".join(map(_explanation, found)))
+    return 0
+
+
+def _explanation(rule: Rule) -> str:
+    return f"{rule.id} ({rule.severity.value}): {rule.title}\n\n{rule.explanation}"

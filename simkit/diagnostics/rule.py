@@ -1,0 +1,32 @@
+"""A rule: one kind of mistake, with a stable id and an explanation."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from simkit.diagnostics.diagnostic import Diagnostic, Severity
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rule:
+    """One rule: looks at something and finds one kind of mistake in it.
+
+    Its explanation is the docstring of the function that looks.
+    """
+
+    id: str
+    """Stable id, e.g. `URDF-W07`."""
+    title: str
+    """The mistake in a few words, e.g. `degrees where radians are meant`."""
+    severity: Severity
+    """The worst that it can report."""
+    look: Callable[[Any], Iterable[Diagnostic]]
+    """Yields what it finds."""
+
+    @property
+    def explanation(self) -> str:
+        """What the mistake is, how it comes about, what to do: for `--explain`."""
+        return inspect.cleandoc(self.look.__doc__ or "")

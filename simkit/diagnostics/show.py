@@ -1,0 +1,155 @@
+"""How finds look on a terminal, and as JSON."""
+
+from __future__ import annotations
+
+import json
+import textwrap
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from simkit.diagnostics.diagnostic import Diagnostic, Related, Severity
+from simkit.diagnostics.snippet import snippet, visible
+from simkit.xml import Span
+
+WIDTH = 100
+"""Columns of a terminal."""
+VERSION = 1
+"""Of the JSON: it changes when a key changes its meaning or goes."""
+
+_INDENT = "      "
+_BOLD, _END = "\x1b[1m", "\x1b[0m"
+_COLOURS = {
+    Severity.ERROR: "\x1b[1;31m",
+    Severity.WARNING: "\x1b[1;33m",
+    Severity.NOTE: "\x1b[1;36m",
+}
+
+
+def as_text(diagnostics: Sequence[Diagnostic], *, colour: bool = False) -> str:
+    """Finds for people: each with its line underlined, what follows from it, and what would be right.
+
+    Args:
+        diagnostics: What was found; shown in this order.
+        colour: Whether to use the colours of a terminal.
+    """
+    return "\n".join("\n".join(_block(one, colour=colour)) + "\n" for one in diagnostics)
+
+
+def as_json(diagnostics: Sequence[Diagnostic]) -> str:
+    """Finds for programs: one JSON object, its keys in a fixed order."""
+    counts = {f"{severity.value}s": _count(diagnostics, severity) for severity in Severity}
+    listed = {
+        "version": VERSION,
+        "diagnostics": [_plain(one) for one in diagnostics],
+        "summary": counts,
+    }
+    return json.dumps(listed, indent=2, ensure_ascii=False)
+
+
+def summary(diagnostics: Sequence[Diagnostic]) -> str:
+    """How many there are: `2 errors, 1 warning`, or `no faults found`."""
+    counts = [(_count(diagnostics, severity), severity.value) for severity in Severity]
+    parts = [f"{count} {word}{'' if count == 1 else 's'}" for count, word in counts if count]
+    return ", ".join(parts) or "no faults found"
+
+
+def _count(diagnostics: Sequence[Diagnostic], severity: Severity) -> int:
+    return sum(one.severity is severity for one in diagnostics)
+
+
+def _block(one: Diagnostic, *, colour: bool) -> Iterator[str]:
+    """The lines of one find."""
+    paint = _COLOURS[one.severity] if colour else ""
+    yield from _headline(one, paint)
+    yield from _source_lines(one.source, one.span, paint)
+    sentences = (
+        ("in", one.path),
+        ("here", one.here),
+        ("in ROS and Gazebo", one.gazebo),
+        ("remedy", one.remedy),
+    )
+    for label, sentence in sentences:
+        yield from _labelled(label, sentence, colour=colour)
+    for related in one.related:
+        yield from _related(related, colour=colour)
+
+
+def _headline(one: Diagnostic, paint: str) -> Iterator[str]:
+    place = f"{visible(one.file)}:{one.span.line}:{one.span.column}:"
+    kind = f"{one.severity.value} [{one.rule}]"
+    lines = _wrapped(f"{place} {kind}", one.what)
+    if paint:
+        rest = lines[0].removeprefix(f"{place} {kind}")
+        lines[0] = f"{_BOLD}{place}{_END} {paint}{kind}{_END}{rest}"
+    yield from lines
+
+
+def _labelled(label: str, sentence: str, *, colour: bool) -> Iterator[str]:
+    """A sentence behind its label; nothing if there is none."""
+    if not sentence:
+        return
+    head = f"{_INDENT}{label}:"
+    lines = _wrapped(head, sentence)
+    if colour:
+        lines[0] = f"{_INDENT}{_BOLD}{label}:{_END}{lines[0].removeprefix(head)}"
+    yield from lines
+
+
+def _wrapped(head: str, sentence: str) -> list[str]:
+    """Text behind a head, in lines that hang below it."""
+    return textwrap.wrap(
+        visible(sentence.replace("\n", " ")),
+        WIDTH,
+        initial_indent=f"{head} ",
+        subsequent_indent=f"{_INDENT}  ",
+        break_long_words=False,
+        break_on_hyphens=False,
+    ) or [head]
+
+
+def _source_lines(line: str, span: Span, paint: str) -> Iterator[str]:
+    """The line of the file with its number, and the line that underlines."""
+    if not line:
+        return
+    gutter = f"{span.line:5} | "
+    shown, underline = snippet(line, span, WIDTH - len(gutter))
+    yield (gutter + shown).rstrip()
+    under = " " * (len(gutter) - 2) + "| "
+    mark = underline.lstrip(" ")
+    blank = underline[: len(underline) - len(mark)]
+    yield f"{under}{blank}{paint}{mark}{_END if paint else ''}"
+
+
+def _related(related: Related, *, colour: bool) -> Iterator[str]:
+    place = f"{related.file}:{related.span.line}:{related.span.column}: {related.text}"
+    yield from _labelled("see", place, colour=colour)
+    yield from _source_lines(related.source, related.span, _BOLD if colour else "")
+
+
+def _plain(one: Diagnostic) -> dict[str, Any]:
+    """A find as JSON's values."""
+    return {
+        "rule": one.rule,
+        "severity": one.severity.value,
+        "file": one.file,
+        **_place(one.span),
+        "path": one.path,
+        "what": one.what,
+        "here": one.here,
+        "gazebo": one.gazebo,
+        "remedy": one.remedy,
+        "source": one.source,
+        "related": [
+            {
+                "file": related.file,
+                **_place(related.span),
+                "text": related.text,
+                "source": related.source,
+            }
+            for related in one.related
+        ],
+    }
+
+
+def _place(span: Span) -> dict[str, int]:
+    return {"line": span.line, "column": span.column, "length": span.length}

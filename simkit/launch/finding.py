@@ -1,0 +1,129 @@
+"""Which file a command line means: `roslaunch PACKAGE FILE` or `roslaunch PATH`.
+
+Source: roslaunch `resolve_launch_arguments`: a file of that name anywhere in the package, else the first word as a path.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from simkit.diagnostics import Diagnostic, Severity
+from simkit.errors import UnknownNameError, near_names
+from simkit.launch.errors import LaunchError
+from simkit.launch.files import KNOWN
+from simkit.launch.rules import NOT_FOUND
+from simkit.packages import Package, PackagePath
+from simkit.xml import Span
+
+_ENDINGS = (".launch", ".xml", ".test")
+
+
+def find_launch_file(words: Sequence[str], packages: PackagePath) -> tuple[Path, list[str]]:
+    """The launch file of a command line, and the words behind it.
+
+    Args:
+        words: What stands behind `roslaunch`: a package and a file, or a path; then arguments.
+        packages: Where packages are.
+
+    Raises:
+        LaunchError: There is no such file, or several.
+    """
+    if len(words) >= 2:
+        package = _package(words[0], packages)
+        found = [] if package is None else _files_named(package.folder, words[1])
+        if len(found) > 1:
+            raise _several(words, found)
+        if found:
+            return found[0], list(words[2:])
+    if words and Path(words[0]).is_file():
+        return Path(words[0]), list(words[1:])
+    raise _nothing(words, packages)
+
+
+def given_arguments(words: Sequence[str]) -> dict[str, str]:
+    """Values of arguments by name, from `name:=value` words.
+
+    Raises:
+        LaunchError: A word is something else.
+    """
+    arguments = {}
+    for word in words:
+        name, sign, value = word.partition(":=")
+        if not sign or not name:
+            what = f"{word!r} is no argument"
+            raise _error("", word, what, "Write name:=value.")
+        if not (name.startswith("_") and not name.startswith("__")):
+            arguments[name.strip()] = value.strip()
+    return arguments
+
+
+def launch_files(folder: Path) -> list[Path]:
+    """The launch files of a package, sorted."""
+    return [path for path in _all_files(folder) if path.suffix in _ENDINGS[:1]]
+
+
+def _package(name: str, packages: PackagePath) -> Package | None:
+    found = packages.packages().get(name)
+    if found is None and name.isidentifier() and (KNOWN / name).is_dir():
+        return Package(name=name, folder=KNOWN / name)
+    return found
+
+
+def _files_named(folder: Path, name: str) -> list[Path]:
+    if "/" in name or "\\" in name:
+        path = folder / name
+        return [path] if path.is_file() else []
+    return [path for path in _all_files(folder) if path.name == name]
+
+
+def _all_files(folder: Path) -> list[Path]:
+    return sorted(path for path in folder.rglob("*") if path.is_file() and not path.is_symlink())
+
+
+def _several(words: Sequence[str], found: Sequence[Path]) -> LaunchError:
+    listed = "".join(f"\n- {path}" for path in found)
+    said = (
+        f"RLException: multiple files named [{words[1]}] in package [{words[0]}]:{listed}\n"
+        "Please specify full path instead"
+    )
+    what = f"the package {words[0]} has {len(found)} files named {words[1]}"
+    return _error(said, words[1], what, "Give the path of the one that you mean.")
+
+
+def _nothing(words: Sequence[str], packages: PackagePath) -> LaunchError:
+    if len(words) < 2 or ":=" in words[1]:
+        name = words[0] if words else ""
+        said = f"RLException: [{name}] is not a launch file name"
+        remedy = "Write simkit roslaunch PACKAGE FILE.launch, or the path of a launch file."
+        return _error(said, name, f"there is no file {name!r}", remedy)
+    package, file = words[0], words[1]
+    said = (
+        f"RLException: [{file}] is neither a launch file in package [{package}] nor is [{package}] a "
+        "launch file name"
+    )
+    found = _package(package, packages)
+    if found is None:
+        what = str(UnknownNameError("package", package, packages.packages()))
+        remedy = "Write the name of a package that is here, or go to the folder that holds it."
+        return _error(said, file, what, remedy)
+    known = [path.name for path in launch_files(found.folder)]
+    near = near_names(file, known)
+    what = f"the package {package} has no file {file!r}"
+    remedy = f"It has {', '.join(known[:12])}." if known else f"Write it: {package}/launch/{file}."
+    if near:
+        remedy = f"Did you mean {' or '.join(near)}?"
+    return _error(said, file, what, remedy)
+
+
+def _error(said: str, file: str, what: str, remedy: str) -> LaunchError:
+    diagnostic = Diagnostic(
+        rule=NOT_FOUND,
+        severity=Severity.ERROR,
+        file=file,
+        span=Span(1, 1),
+        source="",
+        what=what,
+        remedy=remedy,
+    )
+    return LaunchError(said, diagnostic)

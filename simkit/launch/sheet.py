@@ -1,0 +1,118 @@
+"""One launch file as XML: with expat's verdict, which is roslaunch's, and places from our own parser."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from xml.parsers import expat
+
+from simkit.launch.refusal import Kind, Lesson, Place, Refused
+from simkit.launch.rules import SYNTAX
+from simkit.xml import Document, Element, FaultKind, Span, parse_xml
+
+_ROOT = "Invalid roslaunch XML syntax: no root <launch> tag"
+_REFUSED_UNSEEN = (FaultKind.ENTITY, FaultKind.TOO_DEEP)
+"""What expat must not even see."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Sheet:
+    """One launch file."""
+
+    name: str
+    """How roslaunch names it: its path as it was given."""
+    document: Document
+    """What is in it."""
+    data: bytes
+    """The same, as it was read."""
+    included_at: Place | None = None
+    """The `<include>` that names it; None for the file that was asked for."""
+
+    def chain(self) -> list[Place]:
+        """The places that include it, the nearest first."""
+        places = []
+        place = self.included_at
+        while place is not None:
+            places.append(place)
+            place = place.sheet.included_at
+        return places
+
+    def xml_of(self, element: Element) -> str:
+        """An element as roslaunch's messages show it: written anew, on the attributes' one line."""
+        from xml.dom import minidom
+
+        assert self.document.root is not None
+        number = next(n for n, one in enumerate(self.document.root.walk()) if one is element)
+        return minidom.parseString(self.data).getElementsByTagName("*")[number].toxml()
+
+
+def read_sheet(
+    data: bytes, *, name: str, shown: str, included_at: Place | None = None
+) -> tuple[Sheet, Element]:
+    """A launch file and its `<launch>` element.
+
+    Args:
+        data: The file's content.
+        name: How roslaunch names it.
+        shown: How it is shown to people.
+        included_at: The `<include>` that names it.
+
+    Raises:
+        Refused: It is not XML, or no launch file.
+    """
+    document = parse_xml(data, file=shown)
+    sheet = Sheet(name=name, document=document, data=data, included_at=included_at)
+    words = None
+    if not any(fault.kind in _REFUSED_UNSEEN for fault in document.faults):
+        words = _verdict_of_expat(data)
+    if document.faults or words is not None:
+        raise _not_xml(sheet, words)
+    assert document.root is not None
+    found = [element for element in document.root.walk() if element.name == "launch"]
+    if len(found) != 1:
+        raise Refused(Kind.SYNTAX, _ROOT, _no_root(found)).at(
+            Place(sheet=sheet, span=(found[1] if found else document.root).span)
+        )
+    return sheet, found[0]
+
+
+def _verdict_of_expat(data: bytes) -> str | None:
+    """What expat says of a text that it refuses."""
+    parser = expat.ParserCreate(namespace_separator=" ")
+    parser.namespace_prefixes = True
+    try:
+        parser.Parse(data, True)
+    except expat.ExpatError as error:
+        return str(error)
+    except (LookupError, ValueError) as error:  # an encoding that nobody knows
+        return str(error)
+    return None
+
+
+def _not_xml(sheet: Sheet, words: str | None) -> Refused:
+    faults = sheet.document.faults
+    if faults:
+        first = faults[0]
+        what, remedy, span = first.what, first.remedy, first.span
+    else:
+        what, remedy, span = f"this is not XML: {words}", "Look at this place.", _place(words or "")
+    text = f"Invalid roslaunch XML syntax: {words or what}"
+    kind = Kind.SYNTAX if words else Kind.OURS
+    return Refused(
+        kind,
+        text,
+        Lesson(rule=SYNTAX, what=what, remedy=remedy),
+        place=Place(sheet=sheet, span=span),
+    )
+
+
+def _place(words: str) -> Span:
+    """Line and column at the end of expat's words, in our counting."""
+    numbers = [int(word) for word in words.replace(",", " ").split() if word.isdigit()]
+    return Span(numbers[-2], numbers[-1] + 1) if len(numbers) >= 2 else Span(1, 1)
+
+
+def _no_root(found: list[Element]) -> Lesson:
+    what = (
+        "a launch file has one <launch>, and here are several" if found else "here is no <launch>"
+    )
+    return Lesson(rule=SYNTAX, what=what, remedy="Put everything between <launch> and </launch>.")

@@ -1,0 +1,155 @@
+"""What has been gathered of a launch file so far."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from simkit.diagnostics import Diagnostic, Severity
+from simkit.launch.budget import Budget
+from simkit.launch.files import Files
+from simkit.launch.plan import ArgumentDoc, Origin, ParameterStep, PlannedNode
+from simkit.launch.refusal import Kind, Lesson, Place, Refused
+from simkit.launch.rules import ATTRIBUTE, YAML
+from simkit.launch.scope import joined, tidy
+from simkit.launch.substitution import Substitution
+from simkit.launch.telling import diagnostic_of
+
+MAX_WARNINGS = 200
+"""So many warnings are kept."""
+_INT_LIMIT = 2**31
+"""Whole numbers of parameters are smaller: ROS sends them in 32 bits."""
+
+
+@dataclass(slots=True)
+class State:
+    """Parameters, nodes and warnings, in the order in which they were found."""
+
+    files: Files
+    budget: Budget
+    substitution: Substitution
+    params: dict[str, Any] = field(default_factory=dict)
+    origins: dict[str, Origin] = field(default_factory=dict)
+    places: dict[str, Place] = field(default_factory=dict)
+    clear_params: list[str] = field(default_factory=list)
+    steps: list[ParameterStep] = field(default_factory=list)
+    nodes: list[PlannedNode] = field(default_factory=list)
+    launch_files: list[str] = field(default_factory=list)
+    arguments: list[ArgumentDoc] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+
+    def add_param(self, name: str, value: Any, place: Place, source: Path | None = None) -> None:
+        """Add a parameter; the later one of two wins.
+
+        Raises:
+            Refused: ROS has no such values.
+        """
+        self.budget.tag()
+        name = tidy(name)
+        _require_sendable(name, value)
+        for parent in _above(name):
+            if parent in self.params:
+                self.warn(f"parameter [{name}] conflicts with parent parameter [{parent}]")
+        self.params[name] = value
+        self.places[name] = place
+        self.origins[name] = Origin(
+            shown_file=place.sheet.document.file, span=place.span, source=source
+        )
+
+    def add_tree(self, name: str, value: Any, place: Place, source: Path | None = None) -> None:
+        """Add a value of YAML: a mapping is a namespace.
+
+        Raises:
+            Refused: A key is no text, or ROS has no such values.
+        """
+        if not isinstance(value, dict):
+            if tidy(name) == "/":
+                words = "Cannot load non-dictionary types into global namespace '/'"
+                raise Refused(Kind.VALUE, words, _no_mapping())
+            self.add_param(name, value, place, source)
+            return
+        for key, part in value.items():
+            if not isinstance(key, str) or not key:
+                raise _bad_key(key)
+            inner = key[1:] if key[0] == "~" else key
+            self.add_tree(joined(name, inner), part, place, source)
+
+    def add_node(self, node: PlannedNode) -> None:
+        """Add a node.
+
+        Raises:
+            Refused: There is one of its name.
+        """
+        name = node.resolved_name
+        twin = next((other for other in self.nodes if other.resolved_name == name), None)
+        if twin is not None:
+            words = (
+                f"roslaunch file contains multiple nodes named [{name}].\nPlease check all <node> 'name' "
+                "attributes to make sure they are unique.\nAlso check that $(anon id) use different ids."
+            )
+            what = f"two nodes are named {name}; the first is at {twin.shown_file}:{twin.span.line}"
+            lesson = Lesson(rule=ATTRIBUTE, what=what, remedy="Give each node a name of its own.")
+            raise Refused(Kind.LOAD, words, lesson)
+        self.nodes.append(node)
+
+    def warn(self, text: str, *, plain: bool = False) -> None:
+        """Keep a warning of roslaunch.
+
+        Args:
+            text: Its words.
+            plain: Whether roslaunch prints it as it is, without `WARNING: `.
+        """
+        if len(self.warnings) < MAX_WARNINGS:
+            self.warnings.append(text if plain else f"WARNING: {text}")
+
+    def teach(self, lesson: Lesson, place: Place, severity: Severity = Severity.WARNING) -> None:
+        """Keep what a teacher says about something that works."""
+        if len(self.diagnostics) < MAX_WARNINGS:
+            self.diagnostics.append(diagnostic_of(lesson, place, severity))
+
+
+def _above(name: str) -> list[str]:
+    parts = name.split("/")[1:-1]
+    return ["/" + "/".join(parts[: count + 1]) for count in range(len(parts))]
+
+
+def _require_sendable(name: str, value: Any) -> None:
+    """Refuse what roslaunch cannot send to the parameter server: it finds out when it tries."""
+    parts = [value]
+    while parts:
+        part = parts.pop()
+        if isinstance(part, dict):
+            parts += [*part.keys(), *part.values()]
+        elif isinstance(part, list):
+            parts += part
+        elif isinstance(part, int) and not -_INT_LIMIT <= part < _INT_LIMIT:
+            raise _unsendable(name, value, "int exceeds XML-RPC limits", f"{part} is too large")
+        elif part is None:
+            cause = "cannot marshal None unless allow_none is enabled"
+            raise _unsendable(name, value, cause, "a parameter cannot be empty (null)")
+        elif not isinstance(part, bool | int | float | str | bytes):
+            cause = f"cannot marshal {type(part)} objects"
+            raise _unsendable(name, value, cause, f"{part} is a {type(part).__name__} in YAML")
+
+
+def _unsendable(name: str, value: Any, cause: str, what: str) -> Refused:
+    words = f"load_parameters: unable to set params (last param was [{name}={value}]): {cause}"
+    remedy = "Give a number, a text in quotation marks, true or false, or a list of those."
+    lesson = Lesson(rule=YAML, what=f"{name}: {what}", remedy=remedy)
+    return Refused(Kind.LOAD, words, lesson)
+
+
+def _no_mapping() -> Lesson:
+    what = "this YAML is no mapping of names to values, so its values have no names"
+    return Lesson(
+        rule=YAML, what=what, remedy='Write `name: value`, or give a name by param="...".'
+    )
+
+
+def _bad_key(key: object) -> Refused:
+    words = f"{type(key).__name__!r} object is not subscriptable"
+    what = f"{key!r} cannot be the name of a parameter"
+    lesson = Lesson(rule=YAML, what=what, remedy=f'Put it in quotation marks: "{key}".')
+    return Refused(Kind.OTHER, words, lesson, name="TypeError")

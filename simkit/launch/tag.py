@@ -1,0 +1,143 @@
+"""One tag of a launch file, as its handlers see it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+from simkit.errors import near_names
+from simkit.launch.refusal import Kind, Lesson, Place, Refused
+from simkit.launch.rules import ATTRIBUTE, UNKNOWN
+from simkit.launch.scope import Scope
+from simkit.launch.sheet import Sheet
+from simkit.launch.state import State
+from simkit.launch.values import truth
+from simkit.xml import Element
+
+
+@dataclass(frozen=True, slots=True)
+class Tag:
+    """A tag, its file, and what it adds to."""
+
+    element: Element
+    """The element."""
+    sheet: Sheet
+    """The file it is in."""
+    state: State
+    """What has been gathered so far."""
+
+    @property
+    def name(self) -> str:
+        """Name of the element."""
+        return self.element.name
+
+    @property
+    def place(self) -> Place:
+        """Where it stands."""
+        return Place(sheet=self.sheet, span=self.element.span)
+
+    @property
+    def xml(self) -> str:
+        """The whole element, as roslaunch's messages show it."""
+        return self.sheet.xml_of(self.element)
+
+    def children(self) -> list[Tag]:
+        """The tags in it."""
+        return [Tag(child, self.sheet, self.state) for child in self.element.children]
+
+    def has(self, attribute: str) -> bool:
+        """Whether an attribute is there."""
+        return self.element.attribute(attribute) is not None
+
+    def get(self, attribute: str, scope: Scope) -> str | None:
+        """The value of an attribute, `$(...)` replaced; None if it is not there.
+
+        Raises:
+            Refused: It cannot be replaced.
+        """
+        value = self.element.get(attribute)
+        if value is None:
+            return None
+        try:
+            return self.state.substitution.resolve(value, scope)
+        except Refused as refused:
+            raise refused.at(self.place_of(attribute)) from None
+
+    def required(self, attribute: str, scope: Scope) -> str:
+        """The value of an attribute that must be there.
+
+        Raises:
+            Refused: It is not there, or cannot be replaced.
+        """
+        value = self.get(attribute, scope)
+        if value is None:
+            what = f"<{self.name}> has no attribute {attribute!r}"
+            remedy = f'Write {attribute}="..." into it.'
+            if near := near_names(attribute, (one.name for one in self.element.attributes)):
+                remedy = f"Write {attribute}= where {near[0]}= stands."
+            lesson = Lesson(rule=ATTRIBUTE, what=what, remedy=remedy)
+            raise Refused(Kind.KEY, f"'{attribute}'", lesson, place=self.place)
+        return value
+
+    def place_of(self, attribute: str) -> Place:
+        """Where the value of an attribute stands; the tag itself if it has none."""
+        return Place(sheet=self.sheet, span=self.element.span_of(attribute))
+
+    def applies(self, scope: Scope) -> bool:
+        """Whether its `if` or `unless` lets it count.
+
+        Raises:
+            Refused: It has both, or one that is neither true nor false.
+        """
+        wanted, unwanted = self.get("if", scope), self.get("unless", scope)
+        if wanted is not None and unwanted is not None:
+            words = "cannot set both 'if' and 'unless' on the same tag"
+            lesson = Lesson(rule=ATTRIBUTE, what="if= and unless= on one tag", remedy="Keep one.")
+            raise Refused(Kind.SYNTAX, words, lesson, place=self.place_of("unless"))
+        attribute = "if" if wanted is not None else "unless"
+        value = wanted if wanted is not None else unwanted
+        if value is None:
+            return True
+        try:
+            return truth(value) is (attribute == "if")
+        except Refused as refused:
+            raise refused.at(self.place_of(attribute)) from None
+
+    def check_attributes(self, known: Collection[str]) -> None:
+        """Warn of attributes that nobody knows."""
+        for attribute in self.element.attributes:
+            if attribute.name in known or attribute.name in ("if", "unless"):
+                continue
+            words = f"[{self.sheet.name}] unknown <{self.name}> attribute '{attribute.name}'"
+            self.state.warn(words)
+            near = near_names(attribute.name, known)
+            remedy = f"Did you mean {near[0]}?" if near else "It has: " + ", ".join(known) + "."
+            what = f"<{self.name}> has no attribute {attribute.name!r}: it is ignored"
+            place = Place(sheet=self.sheet, span=attribute.name_span)
+            self.state.teach(Lesson(rule=UNKNOWN, what=what, remedy=remedy), place)
+
+    def refuse(self, words: str, what: str, remedy: str, *, at: str | None = None) -> Refused:
+        """A fault of this tag, of kind SYNTAX.
+
+        Args:
+            words: What roslaunch says.
+            what: What is wrong.
+            remedy: What would be right.
+            at: The attribute that it is about; None for the tag.
+        """
+        place = self.place if at is None else self.place_of(at)
+        lesson = Lesson(rule=ATTRIBUTE, what=what, remedy=remedy)
+        return Refused(Kind.SYNTAX, words, lesson, place=place)
+
+
+def namespace_of(tag: Tag, scope: Scope) -> str | None:
+    """The value of `ns`, or None.
+
+    Raises:
+        Refused: It is empty.
+    """
+    namespace = tag.get("ns", scope)
+    if namespace == "":
+        words = f"<{tag.name}> tag has an empty 'ns' attribute"
+        raise tag.refuse(words, "ns= is empty", 'Write a name, e.g. ns="robot1".', at="ns")
+    return namespace

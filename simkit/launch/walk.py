@@ -1,0 +1,199 @@
+"""Goes through the tags of a launch file in order; `<group>` and `<include>` lead deeper."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from simkit.errors import near_names
+from simkit.launch.budget import MAX_GROUP_DEPTH, MAX_INCLUDE_DEPTH, MAX_LAUNCH_BYTES
+from simkit.launch.node_tag import take_node
+from simkit.launch.param_tag import take_param
+from simkit.launch.refusal import Kind, Lesson, Refused, ours
+from simkit.launch.rosparam_tag import take_rosparam
+from simkit.launch.rules import ARGUMENT, TOO_MUCH, UNKNOWN
+from simkit.launch.scope import Scope
+from simkit.launch.sheet import Sheet, read_sheet
+from simkit.launch.small_tags import (
+    take_argument,
+    take_environment,
+    take_machine,
+    take_remapping,
+)
+from simkit.launch.state import State
+from simkit.launch.tag import Tag, namespace_of
+from simkit.launch.values import flag
+from simkit.xml import Element
+
+
+def walk(root: Element, sheet: Sheet, scope: Scope, state: State, depth: int = 0) -> None:
+    """Evaluate the tags in a `<launch>` or `<group>`.
+
+    Args:
+        root: The element.
+        sheet: Its file.
+        scope: What holds in it.
+        state: Takes what is found.
+        depth: So many groups are around it.
+
+    Raises:
+        Refused: A tag makes no sense, or there are too many.
+    """
+    for element in root.children:
+        state.budget.tag()
+        tag = Tag(element, sheet, state)
+        if element.name == "group":
+            _take_group(tag, scope, depth)
+        elif element.name in _HANDLERS:
+            _HANDLERS[element.name](tag, scope)
+        elif element.name != "master":
+            _unknown_tag(tag)
+
+
+def open_sheet(name: str, state: State, tag: Tag | None = None) -> tuple[Sheet, Element]:
+    """Read a launch file.
+
+    Args:
+        name: Its path.
+        state: Finds, counts and notes it.
+        tag: The `<include>` that names it; None for the first file.
+
+    Raises:
+        Refused: It cannot be read, is no launch file, or includes itself.
+    """
+    place = tag.place if tag is not None else None
+    if tag is not None:
+        _require_no_circle(name, tag)
+    try:
+        data = state.files.read(name, MAX_LAUNCH_BYTES)
+    except Refused as refused:
+        if refused.kind is Kind.OURS:
+            raise
+        words = f"Invalid roslaunch XML syntax: {refused.text}"
+        raise refused.worded(Kind.SYNTAX, words) from None
+    state.budget.launch_file(len(data))
+    shown = state.files.shown(name)
+    sheet, root = read_sheet(data, name=name, shown=shown, included_at=place)
+    state.launch_files.append(name)
+    if deprecated := root.get("deprecated"):
+        state.warn(f"[{name}] DEPRECATED: {deprecated}")
+    return sheet, root
+
+
+def _take_group(tag: Tag, scope: Scope, depth: int) -> None:
+    if not tag.applies(scope):
+        return
+    if depth >= MAX_GROUP_DEPTH:
+        what = f"more than {MAX_GROUP_DEPTH} groups in each other"
+        raise ours(TOO_MUCH, what, "Use fewer.").at(tag.place)
+    tag.check_attributes(("ns", "clear_params"))
+    inner = scope.child(_cleared_namespace(tag, scope))
+    inner.parameters = list(inner.parameters)
+    walk(tag.element, tag.sheet, inner, tag.state, depth + 1)
+
+
+def _take_include(tag: Tag, scope: Scope) -> None:
+    if not tag.applies(scope):
+        return
+    tag.check_attributes(("file", "ns", "clear_params", "pass_all_args"))
+    name = tag.required("file", scope)
+    passes_all = flag(tag.get("pass_all_args", scope), "pass_all_args")
+    inner = scope.for_include(_cleared_namespace(tag, scope))
+    if passes_all:
+        for argument, value in scope.arguments.items():
+            inner.declare(argument, value=value, default=None)
+    inner.passes_all = passes_all
+    for child in tag.children():
+        tag.state.budget.tag()
+        if child.name.lower() == "env":
+            take_environment(child, inner)
+        elif child.name.lower() == "arg":
+            take_argument(child, inner)
+        else:
+            _unknown_in_include(tag, child)
+    try:
+        _enter(tag, name, inner, passes_all=passes_all)
+    except Refused as refused:
+        refused.at(tag.place)
+        if refused.kind is Kind.ARGUMENT:
+            words = f"included file [{name}] requires the '{refused.text}' arg to be set"
+        elif refused.kind is Kind.SYNTAX:
+            words = f"while processing {name}:\n{refused.text}"
+        else:
+            raise
+        raise refused.worded(Kind.SYNTAX, words) from None
+
+
+def _enter(tag: Tag, name: str, inner: Scope, *, passes_all: bool) -> None:
+    try:
+        sheet, root = open_sheet(name, tag.state, tag)
+    except Refused as refused:
+        raise refused.at(tag.place_of("file")) from None
+    given = inner.enter(sheet)
+    walk(root, sheet, inner, tag.state)
+    unused = [argument for argument in given if argument not in inner.declared]
+    if unused and not passes_all:
+        culprits = [child for child in tag.children() if child.element.get("name") in unused]
+        raise _unused(unused, name, inner).at((culprits or [tag])[0].place)
+
+
+def _cleared_namespace(tag: Tag, scope: Scope) -> str | None:
+    """The namespace of a group or include; noted if its parameters are to be cleared."""
+    namespace = namespace_of(tag, scope)
+    if flag(tag.get("clear_params", scope) or None, "clear_params"):
+        if not namespace:
+            words = "'ns' attribute must be set in order to use 'clear_params'"
+            raise tag.refuse(words, "clear_params= needs ns=", 'Write ns="...".', at="clear_params")
+        tag.state.clear_params.append(scope.child(namespace).namespace)
+    return namespace
+
+
+def _require_no_circle(name: str, tag: Tag) -> None:
+    around = [tag.sheet, *(place.sheet for place in tag.sheet.chain())]
+    if name in (sheet.name for sheet in around):
+        what = f"{tag.state.files.shown(name)} includes itself"
+        remedy = "Remove one of these includes, or give it an if= that ends the circle."
+        lesson = Lesson(rule=TOO_MUCH, what=what, remedy=remedy)
+        words = "maximum recursion depth exceeded"
+        raise Refused(Kind.OTHER, words, lesson, name="RecursionError")
+    if len(around) > MAX_INCLUDE_DEPTH:
+        what = f"more than {MAX_INCLUDE_DEPTH} launch files include each other in a chain"
+        raise ours(TOO_MUCH, what, "Use fewer.")
+
+
+def _unused(unused: list[str], name: str, inner: Scope) -> Refused:
+    what = f"the included file declares no argument {' or '.join(map(repr, unused))}"
+    remedy = "Remove it, or declare it there: <arg name=... default=.../>."
+    if near := near_names(unused[0], inner.declared):
+        remedy = f"Did you mean {near[0]!r}?"
+    words = f"unused args [{', '.join(unused)}] for include of [{name}]"
+    return Refused(Kind.LOAD, words, Lesson(rule=ARGUMENT, what=what, remedy=remedy))
+
+
+def _unknown_in_include(tag: Tag, child: Tag) -> None:
+    words = f"WARN: unrecognized '{child.name}' tag in <{tag.name}> tag"
+    tag.state.warn(words, plain=True)
+    what = f"<{child.name}> cannot stand in an <include>: it is ignored"
+    lesson = Lesson(rule=UNKNOWN, what=what, remedy="Only <arg> and <env> can.")
+    tag.state.teach(lesson, child.place)
+
+
+def _unknown_tag(tag: Tag) -> None:
+    tag.state.warn(f"unrecognized tag {tag.name}")
+    known = [*_HANDLERS, "group"]
+    near = near_names(tag.name, known)
+    remedy = f"Did you mean <{near[0]}>?" if near else f"There are: {', '.join(known)}."
+    what = f"there is no tag <{tag.name}>: it is ignored, with all that is in it"
+    tag.state.teach(Lesson(rule=UNKNOWN, what=what, remedy=remedy), tag.place)
+
+
+_HANDLERS: dict[str, Callable[[Tag, Scope], None]] = {
+    "arg": take_argument,
+    "env": take_environment,
+    "include": _take_include,
+    "machine": take_machine,
+    "node": take_node,
+    "param": take_param,
+    "remap": take_remapping,
+    "rosparam": take_rosparam,
+    "test": take_node,
+}

@@ -1,0 +1,136 @@
+"""How a simulation starts launch files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from simkit.graph import Graph
+from simkit.graph.process import Permissions, ScriptNode
+from simkit.packages import PackagePath
+from simkit.running import RunningBuiltin
+
+if TYPE_CHECKING:
+    from simkit.launch import Launch, LaunchPlan
+
+
+class Launching:
+    """The part of `Simulation` that launches; the launch files are read when they are asked for."""
+
+    graph: Graph
+    packages: PackagePath
+    _launches: list[Launch]
+    _shown_robots: set[str]
+
+    def rosrun(
+        self,
+        package: str,
+        executable: str,
+        *arguments: str,
+        permissions: Permissions | None = None,
+    ) -> ScriptNode | RunningBuiltin:
+        """Start a node."""
+        raise NotImplementedError
+
+    def _require_open(self) -> None:
+        raise NotImplementedError
+
+    def launch_plan(
+        self, package_or_path: str | Path, file: str | None = None, *arguments: str
+    ) -> LaunchPlan:
+        """What a launch file comes to: its parameters and nodes. Nothing is set or started.
+
+        Args:
+            package_or_path: Package that has the file, or the path of the file.
+            file: Name of the launch file in the package; None with a path.
+            *arguments: `name:=value` for its arguments.
+
+        Raises:
+            LaunchError: There is no such file, or roslaunch would refuse it.
+        """
+        from simkit.launch import evaluate, find_launch_file, given_arguments
+
+        words = [str(package_or_path), *([] if file is None else [file]), *arguments]
+        path, rest = find_launch_file(words, self.packages)
+        given = given_arguments(rest)
+        old = [one for one in self._launches if one.is_of(str(path), given)]
+        taken = set(self.graph.nodes).difference(*(one.nodes for one in old))
+        return evaluate(
+            path, packages=self.packages, arguments=given, anonymous=_Anonymous(taken).name
+        )
+
+    def roslaunch(
+        self,
+        package_or_path: str | Path | LaunchPlan,
+        file: str | None = None,
+        *arguments: str,
+        permissions: Permissions | None = None,
+        all_on_screen: bool = False,
+    ) -> Launch:
+        """Launch a file: set its parameters and start its nodes, in its order.
+
+        A launch of the same file with the same arguments that still runs is ended first.
+
+        Args:
+            package_or_path: Package that has the file, the path of the file, or what `launch_plan` gave.
+            file: Name of the launch file in the package; None otherwise.
+            *arguments: `name:=value` for its arguments.
+            permissions: What the file and its nodes may do; anything if None.
+            all_on_screen: Whether to show what its nodes print, whatever `output=` says.
+
+        Returns:
+            A handle with `nodes` by name, `alive`, `summary`, `failures`, `shutdown()`.
+
+        Raises:
+            LaunchError: There is no such file, or roslaunch would refuse it.
+        """
+        from simkit.launch import Launch, LaunchPlan
+
+        self._require_open()
+        if isinstance(package_or_path, LaunchPlan):
+            plan = package_or_path
+        else:
+            plan = self.launch_plan(package_or_path, file, *arguments)
+        launch = Launch(
+            plan,
+            self.graph,
+            self.rosrun,
+            folders=[str(folder) for folder in self.packages.folders],
+            permissions=permissions,
+            all_on_screen=all_on_screen,
+        )
+        self._end_older(plan, launch)
+        self._check_robots(plan, launch)
+        launch.start()
+        self._launches.append(launch)
+        return launch
+
+    def _end_older(self, plan: LaunchPlan, launch: Launch) -> None:
+        for older in self._launches:
+            if older.is_of(plan.file, plan.given) and older.alive:
+                launch.say(f"{plan.shown_file} runs already: its nodes end, and start anew")
+                older.shutdown()
+        self._launches[:] = [one for one in self._launches if one.alive]
+
+    def _check_robots(self, plan: LaunchPlan, launch: Launch) -> None:
+        from simkit.launch import robot_lines
+
+        for text, lines in robot_lines(plan, self.packages).items():
+            if text not in self._shown_robots:
+                self._shown_robots.add(text)
+                for line in lines:
+                    launch.say(line)
+
+
+class _Anonymous:
+    """Makes names for `$(anon id)` that no node has."""
+
+    def __init__(self, taken: set[str]) -> None:
+        self._taken = {name.rpartition("/")[2] for name in taken}
+
+    def name(self, identity: str) -> str:
+        number = 1
+        while f"{identity}_{number}" in self._taken:
+            number += 1
+        self._taken.add(f"{identity}_{number}")
+        return f"{identity}_{number}"

@@ -1,0 +1,11 @@
+"""robot_state_publisher: turns the positions of joints into transforms between links.
+
+Read it in this order: `description` (which robot), `segments` (its frames), `gate` (which messages
+count), `node`; then `waiting`, a note of the kit's own.
+
+Source: robot_state_publisher 1.15 of ROS Noetic, with kdl_parser.
+"""
+
+from simkit.nodes.robot_state_publisher.node import RobotStatePublisher, StatePublisher
+
+__all__ = ["RobotStatePublisher", "StatePublisher"]

@@ -1,0 +1,91 @@
+"""Mass and inertia of lumps, made fit for an engine that believes whatever it is told."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+import numpy as np
+
+from simkit.physics.errors import ModelError
+from simkit.physics.lumps import Lump, Member
+from simkit.urdf.frame import Frame
+from simkit.urdf.inertia import Body, merged, placed
+from simkit.urdf.matrix import Matrix, eigenvalues
+from simkit.urdf.model import Inertial
+
+NO_MASS = 1e-6
+"""A smaller mass [kg] is none, as for sdformat."""
+LARGEST = 1e9
+"""Larger numbers [m, kg, kg m^2] are no robot, and leave the range in which computers are exact."""
+THINNEST = 1e-7
+"""Smallest principal moment of inertia per mass [m^2]: all of it within 0.3 mm of an axis."""
+
+
+def body_of(lump: Lump) -> Body | None:
+    """The body that the links of a lump make, in the frame of the lump; None if it has no mass.
+
+    Raises:
+        ModelError: A mass is negative, or a number is none.
+    """
+    bodies = [
+        placed(body, member.frame)
+        for member in lump.members
+        if (body := _own_body(member)) is not None
+    ]
+    if sum(body.mass for body in bodies) < NO_MASS:
+        return None
+    return merged(bodies)
+
+
+def _own_body(member: Member) -> Body | None:
+    """The body of one link in its own frame, None if it weighs nothing."""
+    inertial = member.link.inertial
+    if inertial is None:
+        return None
+    name = member.link.name
+    tensor = _tensor(inertial)
+    numbers = (inertial.mass, *inertial.origin.xyz, *inertial.origin.rpy, *np.ravel(tensor))
+    check_numbers(numbers, f"the inertial of link {name}")
+    if inertial.mass < 0.0:
+        raise ModelError(f"link {name} has a mass of {inertial.mass:g} kg: a mass is positive")
+    if inertial.mass < NO_MASS:
+        return None
+    return placed(Body(inertial.mass, (0.0, 0.0, 0.0), tensor), Frame.of(inertial.origin))
+
+
+def _tensor(inertial: Inertial) -> Matrix:
+    one = inertial
+    return ((one.ixx, one.ixy, one.ixz), (one.ixy, one.iyy, one.iyz), (one.ixz, one.iyz, one.izz))
+
+
+def check_numbers(numbers: Iterable[float], what: str) -> None:
+    """See that numbers are numbers, and of this world.
+
+    Raises:
+        ModelError: One is infinite, not a number, or beyond all size.
+    """
+    for number in numbers:
+        if not math.isfinite(number) or abs(number) > LARGEST:
+            raise ModelError(f"{what} holds {number:g}, which no simulator can compute with")
+
+
+def sound(body: Body, name: str) -> tuple[Body, str]:
+    """A body that the engine can turn, and what was changed in it; the note is empty if nothing.
+
+    A tensor with a moment that is zero or negative turns without effort, or away from every push:
+    the numbers would leave all bounds within a few steps.
+    """
+    low, _, _ = eigenvalues(body.tensor)
+    least = THINNEST * body.mass
+    if low >= least:
+        return body, ""
+    moments, axes = np.linalg.eigh(np.array(body.tensor))
+    raised = np.maximum(moments, least)
+    tensor = axes @ np.diag(raised) @ axes.T
+    rows = [tuple(float(x) for x in row) for row in (tensor + tensor.T) / 2.0]
+    note = (
+        f"the inertia of {name} is impossible (its smallest principal moment is {low:.3g} kg m^2): "
+        f"simulated with {least:.3g} kg m^2 instead"
+    )
+    return Body(body.mass, body.centre, (rows[0], rows[1], rows[2])), note  # type: ignore[arg-type]

@@ -1,0 +1,100 @@
+"""Lumps: links that fixed joints hold together are one body.
+
+Source: sdformat's fixed joint reduction. A fixed joint is kept where its parent is the root link
+`world`, and where a `<gazebo>` of the joint says `preserveFixedJoint` or `disableFixedJointLumping`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from simkit.physics.gazebo_tags import GazeboTags
+from simkit.urdf.frame import Frame
+from simkit.urdf.model import Joint, JointType, Link, Robot
+
+WORLD = "world"
+"""A root link of this name is no body: what hangs on it hangs on the world."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Member:
+    """A link in a lump."""
+
+    link: Link
+    """The link."""
+    frame: Frame
+    """Where it is in the frame of the lump."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Branch:
+    """A joint that leads from one lump to another."""
+
+    joint: Joint
+    """The joint; its child leads the other lump."""
+    frame: Frame
+    """Where its parent link is in the frame of the lump."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lump:
+    """Links that are one body."""
+
+    name: str
+    """The link nearest to the root: the lump has its name and frame."""
+    members: tuple[Member, ...]
+    """Its links, that one first."""
+    branches: tuple[Branch, ...]
+    """The joints that lead away from it."""
+
+
+def find_lumps(robot: Robot, tags: GazeboTags) -> dict[str, Lump]:
+    """The lumps of a robot by name, parents before their children; `world` is one of its own."""
+    below = _joints_below(robot)
+    found: dict[str, Lump] = {}
+    waiting = [robot.root]
+    while waiting:
+        lump = _lump(robot, waiting.pop(), below, tags)
+        found[lump.name] = lump
+        waiting.extend(branch.joint.child for branch in reversed(lump.branches))
+    return found
+
+
+def is_anchor(robot: Robot, link: str) -> bool:
+    """Whether a link is the world itself."""
+    return link == WORLD and link == robot.root
+
+
+def _lump(robot: Robot, leader: str, below: Mapping[str, list[Joint]], tags: GazeboTags) -> Lump:
+    members: list[Member] = []
+    branches: list[Branch] = []
+    waiting = [Member(link=robot.links[leader], frame=Frame())]
+    while waiting:
+        member = waiting.pop()
+        members.append(member)
+        inner: list[Member] = []
+        for joint in below.get(member.link.name, ()):
+            if _is_lumped(robot, joint, tags):
+                frame = member.frame.then(Frame.of(joint.origin))
+                inner.append(Member(link=robot.links[joint.child], frame=frame))
+            else:
+                branches.append(Branch(joint=joint, frame=member.frame))
+        waiting.extend(reversed(inner))
+    return Lump(name=leader, members=tuple(members), branches=tuple(branches))
+
+
+def _is_lumped(robot: Robot, joint: Joint, tags: GazeboTags) -> bool:
+    if joint.type is not JointType.FIXED or is_anchor(robot, joint.parent):
+        return False
+    return not tags.of_joint(joint.name).is_kept
+
+
+def _joints_below(robot: Robot) -> dict[str, list[Joint]]:
+    """The joints below each link, by name; of several above one link, urdfdom keeps the last by name."""
+    above = {robot.joints[name].child: name for name in sorted(robot.joints)}
+    below: dict[str, list[Joint]] = {}
+    for name in sorted(above.values()):
+        joint = robot.joints[name]
+        below.setdefault(joint.parent, []).append(joint)
+    return below

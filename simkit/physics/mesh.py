@@ -1,0 +1,109 @@
+"""Meshes: a laser sees their triangles, the engine gets the simplest solid around them.
+
+A mesh with many flat faces makes the engine slow (a cylinder of 64 sides, standing on its face,
+makes 193 contacts and 30 ms a step) and is never quite round. So a mesh is stood in for by the
+smallest of box, cylinder and sphere that holds it: a wheel rolls, a body rests on its faces.
+trimesh reads the files; it loads slowly, so it is imported when the first mesh is met.
+"""
+
+from __future__ import annotations
+
+import io
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simkit.physics.errors import PhysicsError
+from simkit.urdf.frame import Frame
+from simkit.urdf.matrix import Matrix
+from simkit.urdf.model import Box, Cylinder, Sphere, Vector
+
+MAX_BYTES = 50_000_000
+"""Longest file that is read."""
+MAX_TRIANGLES = 20_000
+"""A mesh with more is seen by a laser as the solid that stands in for it."""
+
+_X_UP: Matrix = ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+_Y_UP: Matrix = ((0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0))
+_Z_UP: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+
+class MeshError(PhysicsError):
+    """A file that gives no mesh; one clause says why."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TriangleMesh:
+    """A surface of triangles."""
+
+    corners: NDArray[np.float64]
+    """Corners of the triangles [m], (n, 3, 3): triangle, corner, coordinate."""
+    middle: NDArray[np.float64]
+    """Middle of the box around it [m], (3,)."""
+    radius: float
+    """Of the ball around that [m]."""
+
+    @classmethod
+    def of(cls, corners: NDArray[np.float64]) -> TriangleMesh:
+        """The mesh with these corners."""
+        points = corners.reshape(-1, 3)
+        middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
+        radius = float(np.sqrt(((points - middle) ** 2).sum(axis=1)).max())
+        return cls(np.ascontiguousarray(corners), middle, radius)
+
+
+def read_mesh(path: Path, scale: Vector) -> TriangleMesh:
+    """The triangles of an STL, OBJ or DAE file; nothing that the file refers to is read.
+
+    Args:
+        path: The file.
+        scale: Factors along x, y, z.
+
+    Raises:
+        MeshError: It is too long, broken, or of a kind that cannot be read here.
+    """
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise MeshError(f"it is longer than {MAX_BYTES // 1_000_000} MB")
+        data = path.read_bytes()
+    except OSError as error:
+        raise MeshError(str(error.strerror)) from None
+    corners = _triangles(data, path.suffix.lower().removeprefix(".")) * np.array(scale)
+    if not len(corners) or not np.isfinite(corners).all():
+        raise MeshError("there are no triangles in it")
+    return TriangleMesh.of(corners)
+
+
+def _triangles(data: bytes, kind: str) -> NDArray[np.float64]:
+    import trimesh
+
+    try:
+        # From bytes, trimesh has no folder in which to look for more files.
+        mesh: Any = trimesh.load_mesh(io.BytesIO(data), file_type=kind, process=False)
+        return np.asarray(mesh.triangles, dtype=np.float64)
+    except Exception as error:  # broken files end in errors of every kind
+        raise MeshError(f"it cannot be read ({type(error).__name__}: {error})") from None
+
+
+def stand_in(mesh: TriangleMesh) -> tuple[Box | Cylinder | Sphere, Frame]:
+    """The smallest of box, cylinder (along x, y, z) and sphere around a mesh, and where it is."""
+    points = mesh.corners.reshape(-1, 3)
+    low, high = points.min(axis=0), points.max(axis=0)
+    middle, size = (low + high) / 2.0, np.maximum(high - low, 1e-4)
+    origin = (float(middle[0]), float(middle[1]), float(middle[2]))
+    away = points - middle
+    found: list[tuple[float, Box | Cylinder | Sphere, Frame]] = [
+        (float(np.prod(size)), Box((float(size[0]), float(size[1]), float(size[2]))), Frame(_Z_UP, origin))
+    ]  # fmt: skip
+    for axis, turn in enumerate((_X_UP, _Y_UP, _Z_UP)):
+        radius = max(float(np.sqrt((np.delete(away, axis, 1) ** 2).sum(axis=1)).max()), 1e-4)
+        length = float(size[axis])
+        found.append((math.pi * radius**2 * length, Cylinder(radius, length), Frame(turn, origin)))
+    radius = max(float(np.sqrt((away**2).sum(axis=1)).max()), 1e-4)
+    found.append((4.0 / 3.0 * math.pi * radius**3, Sphere(radius), Frame(_Z_UP, origin)))
+    _, solid, frame = min(found, key=lambda one: one[0])
+    return solid, frame

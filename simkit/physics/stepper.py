@@ -1,0 +1,162 @@
+"""The loop that makes the steps of a world."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from simkit.physics.careful import LOOK_EVERY, Careful
+from simkit.physics.contact import Owner
+from simkit.physics.errors import PhysicsError
+from simkit.physics.joint import ModelJoint
+from simkit.physics.lifting import FALLING, LONGEST, lift
+from simkit.physics.model import Model
+
+
+class Stepper:
+    """Makes steps, and everything around a step that the engine does not do by itself.
+
+    While nothing needs attention, which is looked at every few steps, steps are made in a bare loop.
+
+    Args:
+        engine: The engine's world.
+        step_ns: Time of one step [ns].
+        models: The models of the world; it may change.
+        owners: What the engine's shapes are; it may change.
+    """
+
+    def __init__(
+        self,
+        engine: Any,
+        step_ns: int,
+        models: Mapping[str, Model],
+        owners: Mapping[str, Owner],
+    ) -> None:
+        self.before: list[Callable[[], None]] = []
+        self.after: list[Callable[[], None]] = []
+        self.busy: dict[int, ModelJoint] = {}
+        self.careful: dict[str, Careful] = {}
+        self.step_ns = step_ns
+        self.time_ns = 0
+        self.has_contacts = False
+        self._engine = engine
+        self._down = np.zeros(3)
+        self._step_s = step_ns * 1e-9
+        self._models = models
+        self._owners = owners
+        self._count = 0
+        self._watch = 0
+        self._patience = LONGEST
+        self._is_stepping = False
+        self.heed_gravity()
+
+    def touched(self) -> None:
+        """Something was set from outside: it may be fast, or stick in something."""
+        self._watch, self._patience = LOOK_EVERY, LONGEST
+        for careful in self.careful.values():
+            careful.start()
+
+    def heed_gravity(self) -> None:
+        """See which way things fall."""
+        gravity = self._engine.getGravity()
+        self._down = gravity / max(float(np.linalg.norm(gravity)), 1e-9)
+
+    def changed(self) -> None:
+        """Shapes come, go or jump: the contacts of the last step mean nothing any more."""
+        self.has_contacts = False
+        self._engine.getConstraintSolver().clearLastCollisionResult()
+
+    def restart(self, *, time: bool) -> None:
+        """Begin anew; the clock too if asked for."""
+        self.time_ns = 0 if time else self.time_ns
+        self._count = 0
+        self.changed()
+        self.touched()
+
+    def make(self, steps: int) -> None:
+        """Make so many steps.
+
+        Raises:
+            PhysicsError: It is called by something that is called in a step.
+        """
+        if self._is_stepping:
+            raise PhysicsError("a step cannot be made while one is being made")
+        self._is_stepping = True
+        try:
+            while steps > 0:
+                if self._count % LOOK_EVERY == 0:
+                    self._look()
+                burst = min(steps, LOOK_EVERY - self._count % LOOK_EVERY) if self._is_quiet() else 1
+                if burst == 1:
+                    self._attend()
+                else:
+                    self._hurry(burst)
+                steps -= burst
+        finally:
+            self._is_stepping = False
+
+    def _look(self) -> None:
+        for careful in self.careful.values():
+            careful.look()
+        for name, model in self._models.items():
+            if model.falls(self._down, FALLING):
+                self._watch, self._patience = LOOK_EVERY + 1, LONGEST
+                self.careful[name].start()
+
+    def _is_quiet(self) -> bool:
+        """Whether the engine can make the next steps alone."""
+        return not (
+            self.before
+            or self.after
+            or self.busy
+            or self._watch
+            or any(careful.is_on for careful in self.careful.values())
+            or any(model.needs_attention for model in self._models.values())
+        )
+
+    def _hurry(self, steps: int) -> None:
+        engine_step = self._engine.step
+        for _ in range(steps):
+            engine_step(False)
+        self._passed(steps)
+
+    def _attend(self) -> None:
+        """One step, with all that belongs to it."""
+        for hook in tuple(self.before):
+            hook()
+        for joint in self.busy.values():
+            joint.before_step(self._step_s)
+        for model in self._models.values():
+            model.brake(self._step_s)
+        careful = [one for one in self.careful.values() if one.is_on]
+        for one in careful:
+            one.lean(self._step_s)
+        self._engine.step(False)
+        for one in careful:
+            one.straighten(self._step_s)
+        self._tidy()
+        self._passed(1)
+        for hook in tuple(self.after):
+            hook()
+
+    def _tidy(self) -> None:
+        for joint in tuple(self.busy.values()):
+            joint.after_step()
+        for model in self._models.values():
+            model.after_step()
+        if self._watch:
+            self._lift()
+
+    def _lift(self) -> None:
+        """Take models out of what they stick in; after some time of it, leave them there."""
+        self._watch -= 1
+        if lift(self._engine.getLastCollisionResult(), self._owners, self._models):
+            self._patience -= 1
+            self._watch = max(self._watch, 1) if self._patience > 0 else 0
+
+    def _passed(self, steps: int) -> None:
+        self._count += steps
+        self.time_ns += steps * self.step_ns
+        self.has_contacts = True

@@ -1,0 +1,183 @@
+"""A URDF as urdfdom reads it: layer one, the verdict of ROS, without any opinion of ours."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from simkit.packages import PackagePath
+from simkit.urdf.meshes import MeshFinder
+from simkit.urdf.model import Joint, Link, Material, Robot
+from simkit.urdf.places import Places
+from simkit.urdf.urdfdom.joints import read_joint
+from simkit.urdf.urdfdom.links import RawLink, read_link
+from simkit.urdf.urdfdom.log import Log
+from simkit.urdf.urdfdom.numbers import MalformedError, check_version
+from simkit.urdf.urdfdom.shapes import read_global_material
+from simkit.urdf.urdfdom.tinyxml import TinyElement, TinyXmlError, parse_tiny
+from simkit.urdf.urdfdom.tree import NoTreeError, find_loop, find_root
+from simkit.xml import Document, Element, parse_xml
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reading:
+    """What urdfdom makes of a file."""
+
+    robot: Robot | None
+    """The robot; None if urdfdom refuses the file."""
+    messages: tuple[str, ...]
+    """What it says on standard error, in its order: `Error:   ...` or `Warning: ...`."""
+    document: Document
+    """The file as XML."""
+
+    refusal: str = ""
+    """Why it is refused, in urdfdom's words without `Error:`; empty if it is not refused."""
+
+
+def read_robot(
+    text: str | bytes,
+    *,
+    file: str,
+    packages: PackagePath | None = None,
+    folder: Path | None = None,
+) -> Reading:
+    """Read a URDF as urdfdom does; never raises.
+
+    Args:
+        text: The URDF.
+        file: Name to show for it.
+        packages: Where the meshes of `package://` are looked for; if it is confined, no other file is read.
+        folder: Where relative names of meshes begin; the folder of `file` if None.
+
+    Source:
+        urdfdom 3.0. One thing is different: a loop below the root is refused, where urdfdom says
+        nothing and check_urdf prints without end.
+    """
+    data = text.encode("utf-8", "surrogatepass") if isinstance(text, str) else text
+    document = parse_xml(text, file=file)
+    log = Log()
+    finder = MeshFinder(Path(file).parent if folder is None else folder, packages)
+    robot, reason = None, ""
+    try:
+        robot = _Reader(document, Places(document, data), log, finder).robot(data)
+    except _RefusedError as refusal:
+        reason = refusal.reason
+        log.error(refusal.last_words)
+    return Reading(robot=robot, messages=tuple(log.lines), document=document, refusal=reason)
+
+
+class _RefusedError(Exception):
+    """urdfdom refuses the file.
+
+    Args:
+        last_words: The last thing that it says.
+        reason: The thing it says that tells most; the last one if there are no others.
+    """
+
+    def __init__(self, last_words: str, reason: str = "") -> None:
+        super().__init__(last_words)
+        self.last_words = last_words
+        self.reason = reason or last_words
+
+
+class _Reader:
+    def __init__(self, document: Document, places: Places, log: Log, finder: MeshFinder) -> None:
+        self._document = document
+        self._places = places
+        self._log = log
+        self._finder = finder
+        self._materials: dict[str, Material] = {}
+
+    def robot(self, data: bytes) -> Robot:
+        """The robot, or a refusal with urdfdom's words."""
+        try:
+            # check_urdf ends each line with a newline, the last one too.
+            roots = parse_tiny(data + b"\n")
+            robot = next((root for root in roots if root.name == "robot"), None)
+            if robot is None:
+                raise _RefusedError("Could not find the 'robot' element in the xml file")
+            if robot.get("name") is None:
+                raise _RefusedError("No name given for the robot.")
+            check_version(robot.get("version"))
+            return self._checked_tree(robot)
+        except (TinyXmlError, MalformedError, NoTreeError) as refusal:
+            raise _RefusedError(str(refusal)) from None
+
+    def _checked_tree(self, robot: TinyElement) -> Robot:
+        self._read_materials(robot)
+        links = self._read_links(robot)
+        joints = self._read_joints(robot)
+        root = find_root(links, joints)
+        loop = find_loop(root, joints)
+        if loop:
+            raise _RefusedError(
+                f"The links hang on each other in a circle: {' -> '.join(loop)} (parent -> child)"
+            )
+        return Robot(
+            name=robot.attributes["name"],
+            links=links,
+            joints=joints,
+            materials=self._materials,
+            root=root,
+            document=self._document,
+        )
+
+    def _read_materials(self, robot: TinyElement) -> None:
+        for element in robot.all("material"):
+            material = read_global_material(element, self._log)
+            if material.name in self._materials:
+                raise _RefusedError(f"material '{material.name}' is not unique.")
+            self._materials[material.name] = material
+
+    def _read_links(self, robot: TinyElement) -> Mapping[str, Link]:
+        links: dict[str, Link] = {}
+        for element in robot.all("link"):
+            raw = read_link(element, self._log, self._finder.find)
+            if raw.name in links:
+                raise _RefusedError(f"link '{raw.name}' is not unique.")
+            links[raw.name] = self._link(raw, self._places.element(element))
+        if not links:
+            raise _RefusedError("No link elements found in urdf file")
+        return links
+
+    def _link(self, raw: RawLink, place: Element) -> Link:
+        if raw.has_all_visuals and raw.visuals:
+            self._material(raw, 0)  # urdfdom looks twice for the first one, and complains twice
+        visuals = tuple(
+            visual.with_material(self._material(raw, number))
+            for number, visual in enumerate(raw.visuals)
+        )
+        return Link(
+            name=raw.name,
+            inertial=raw.inertial,
+            visuals=visuals,
+            collisions=tuple(raw.collisions),
+            element=place,
+        )
+
+    def _material(self, raw: RawLink, number: int) -> Material | None:
+        """The material of a visual: the first definition of its name, in whichever link."""
+        visual = raw.visuals[number]
+        name = visual.material_name
+        if not name:
+            return visual.material
+        if name not in self._materials and visual.material is None:
+            self._log.warning(f"link '{raw.name}' material '{name}' undefined.")
+            return Material(name)
+        if name not in self._materials and visual.material is not None:
+            self._materials[name] = visual.material
+        return self._materials[name]
+
+    def _read_joints(self, robot: TinyElement) -> Mapping[str, Joint]:
+        joints: dict[str, Joint] = {}
+        for element in robot.all("joint"):
+            before = len(self._log.lines)
+            joint = read_joint(element, self._log, self._places.element(element))
+            if joint is None:
+                first = self._log.lines[before].partition(":")[2].strip()
+                raise _RefusedError("joint xml is not initialized correctly", first)
+            if joint.name in joints:
+                raise _RefusedError(f"joint '{joint.name}' is not unique.")
+            joints[joint.name] = joint
+        return joints

@@ -1,0 +1,259 @@
+"""What can be wrong with the controllers of a YAML file beside a URDF."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.rules.companion import CompanionKind
+from simkit.urdf.rules.controller_file import Controller, Faulty, controllers, gains_below
+from simkit.urdf.rules.joint_names import joint_advice, moving_joints
+from simkit.urdf.rules.meaning import nearest
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.values import shown
+from simkit.urdf.rules.wording import listed, meant, quoted
+from simkit.xml import Span
+
+_SINGLE = ("JointPositionController", "JointVelocityController", "JointEffortController")
+_GROUP = (
+    "JointTrajectoryController",
+    "JointGroupPositionController",
+    "JointGroupVelocityController",
+    "JointGroupEffortController",
+)
+_NEEDED = {
+    "position_controllers": "PositionJointInterface",
+    "velocity_controllers": "VelocityJointInterface",
+    "effort_controllers": "EffortJointInterface",
+}
+_OTHERS = (
+    "joint_state_controller/JointStateController",
+    "diff_drive_controller/DiffDriveController",
+    "pos_vel_controllers/JointTrajectoryController",
+    "pos_vel_acc_controllers/JointTrajectoryController",
+    "position_controllers/GripperActionController",
+    "effort_controllers/GripperActionController",
+)
+TYPES = (*(f"{family}/{one}" for family in _NEEDED for one in (*_GROUP, *_SINGLE)), *_OTHERS)
+"""Types of controllers, of ros_controllers."""
+
+
+def controller_faults(sheet: Sheet, offered: Mapping[str, str | None]) -> Iterator[Diagnostic]:
+    """What does not fit between controllers, joints and transmissions.
+
+    Args:
+        sheet: The URDF and the files beside it.
+        offered: The interface of each joint in its transmissions.
+    """
+    for companion in sheet.companions:
+        if companion.kind is not CompanionKind.YAML:
+            continue
+        found = controllers(companion)
+        if isinstance(found, Faulty):
+            yield sheet.find(
+                "CTL-E01",
+                Severity.ERROR,
+                found.span,
+                companion=companion,
+                what=f"the file is no YAML: {found.problem}",
+                here="simkit refuses the file.",
+                gazebo="rosparam refuses the file, and roslaunch stops.",
+                remedy="Indent with blanks, not with tabs, and put one blank behind each colon.",
+            )
+            continue
+        for controller in found:
+            yield from _type_faults(sheet, controller)
+            yield from _joint_faults(sheet, controller, offered)
+
+
+def gains(sheet: Sheet) -> Iterator[Diagnostic]:
+    """Controllers with gains, and without.
+
+    Symptom: A red line `No p gain specified for pid`, or an arm that hangs down although its controller runs.
+
+    Cause: A controller of forces (`effort_controllers/...`) computes the force from the error, by its gains; without gains
+    it is 0. A controller of positions (`position_controllers/...`) needs none: the joint simply goes where it is told.
+    Gazebo asks for gains of its own for it, complains that there are none, and does without.
+
+    Remedy: `gains` for controllers of forces and speeds. For controllers of positions ignore the line.
+
+    Right:
+
+        shoulder_controller:
+          type: effort_controllers/JointPositionController
+          joint: shoulder
+          pid: {p: 100.0, i: 0.01, d: 10.0}
+    """
+    for companion in sheet.companions:
+        found = controllers(companion) if companion.kind is CompanionKind.YAML else []
+        if isinstance(found, Faulty):
+            continue
+        for controller in found:
+            if _lacks_gains(controller):
+                yield _find(
+                    sheet,
+                    "CTL-I03",
+                    Severity.WARNING,
+                    controller,
+                    what=f"the controller {quoted(controller.name.text)} computes forces or speeds, and has no gains",
+                    here="simkit takes gains of 0: the controller does nothing.",
+                    gazebo="No p gain specified for pid: the controller does nothing.",
+                    remedy=_gains_remedy(controller),
+                )
+        positions = [one for one in found if one.type and one.type.text.startswith("position_controllers/")]  # fmt: skip
+        if positions and not any(gains_below(one) for one in sheet.companions):
+            yield _find(
+                sheet,
+                "CTL-I03",
+                Severity.NOTE,
+                positions[0],
+                what="Gazebo will print in red: No p gain specified for pid",
+                here="simkit needs no gains for controllers of positions, and prints nothing.",
+                gazebo="Harmless: joints with a PositionJointInterface go where they are told, without gains.",
+                remedy="Nothing is to be done.",
+            )
+
+
+def _type_faults(sheet: Sheet, controller: Controller) -> Iterator[Diagnostic]:
+    name, kind = quoted(controller.name.text), controller.type
+    if kind is None:
+        yield _find(
+            sheet,
+            "CTL-E01",
+            Severity.ERROR,
+            controller,
+            what=f"the controller {name} has no type",
+            here="simkit refuses to load the controller.",
+            gazebo="Could not load controller, because the type was not specified.",
+            remedy="Add type: position_controllers/JointTrajectoryController, or whichever it is.",
+        )
+        return
+    if kind.text not in TYPES:
+        near = nearest(kind.text, TYPES)
+        family = kind.text.partition("/")[0]
+        is_foreign = near is None and family not in _NEEDED
+        yield _find(
+            sheet,
+            "CTL-E01",
+            Severity.NOTE if is_foreign else Severity.ERROR,
+            controller,
+            at=kind.span,
+            what=f"there is no controller of type {quoted(kind.text)}{' in simkit' if is_foreign else ''}",
+            here="simkit refuses to load the controller.",
+            gazebo="Gazebo loads it if it is installed, else it says: controller type does not exist.",
+            remedy=meant([near]).strip() if near else f"Some of them: {listed(TYPES, 3)}.",
+        )
+    kind_name = kind.text.rpartition("/")[2]
+    wanted = "joints" if kind_name in _GROUP else "joint" if kind_name in _SINGLE else None
+    if wanted is not None and not controller.joints:
+        names = moving_joints(sheet)
+        every = f"[{', '.join(names)}]" if wanted == "joints" else (names or ["hip"])[0]
+        yield _find(
+            sheet,
+            "CTL-E01",
+            Severity.ERROR,
+            controller,
+            what=f"the controller {name} names no joints",
+            here="simkit refuses to load the controller.",
+            gazebo=f"Could not find '{wanted}' parameter.",
+            remedy=f"Add {wanted}: {shown(every)}.",
+        )
+
+
+def _joint_faults(
+    sheet: Sheet, controller: Controller, offered: Mapping[str, str | None]
+) -> Iterator[Diagnostic]:
+    family = "" if controller.type is None else controller.type.text.partition("/")[0]
+    needed = _NEEDED.get(family)
+    moving = moving_joints(sheet)
+    for joint in controller.joints or ():
+        entry = sheet.joint_by_name.get(joint.text)
+        interface = offered.get(joint.text)
+        if entry is None:
+            what = f"the controller {quoted(controller.name.text)} moves {quoted(joint.text)}, and there is no such joint"
+            remedy = joint_advice(sheet, joint.text, moving)
+        elif needed is None or interface == needed:
+            continue
+        elif joint.text not in offered:
+            what = f"no transmission offers {quoted(joint.text)} to the controller {quoted(controller.name.text)}"
+            remedy = f"Add a <transmission> with <joint name={quoted(joint.text)}> and {needed}."
+        elif interface is None:
+            continue  # the transmission is told of
+        else:
+            what = f"the controller {quoted(controller.name.text)} needs {needed}, and the transmission of "
+            what += f"{quoted(joint.text)} offers {quoted(interface)}"
+            remedy = f"Write hardware_interface/{needed} in the transmission, or take {_fitting(interface, controller)}."
+        yield _find(
+            sheet,
+            "CTL-E01",
+            Severity.ERROR,
+            controller,
+            at=joint.span,
+            what=what,
+            here="simkit refuses to start the controller.",
+            gazebo=f"Could not find joint '{shown(joint.text)}' in 'hardware_interface::{needed or 'JointStateInterface'}'.",
+            remedy=remedy,
+        )
+
+
+def _fitting(interface: str, controller: Controller) -> str:
+    """A type of controller for an interface."""
+    kind = "JointTrajectoryController" if controller.type is None else controller.type.text.rpartition("/")[2]  # fmt: skip
+    family = next((one for one, needs in _NEEDED.items() if needs == interface), None)
+    return "a controller for that interface" if family is None else f"{family}/{kind}"
+
+
+def _lacks_gains(controller: Controller) -> bool:
+    kind = "" if controller.type is None else controller.type.text
+    family, _, name = kind.partition("/")
+    if family not in ("effort_controllers", "velocity_controllers"):
+        return False
+    feeds_through = {
+        "effort_controllers": ("JointEffortController", "JointGroupEffortController"),
+        "velocity_controllers": ("JointVelocityController", "JointGroupVelocityController"),
+    }[family]
+    has_gains = controller.keys & {"gains", "pid"} or any("pid" in key for key in controller.keys)
+    return name in (*_GROUP, *_SINGLE) and name not in feeds_through and not has_gains
+
+
+def _gains_remedy(controller: Controller) -> str:
+    is_group = controller.type is not None and controller.type.text.endswith(_GROUP)
+    values = "{p: 100.0, i: 0.01, d: 10.0}"
+    if not is_group:
+        return f"Add pid: {values}, and try out the numbers."
+    names = ", ".join(f"{joint.text}: {values}" for joint in (controller.joints or ())[:2])
+    return f"Add gains: {{{names}}}, and try out the numbers."
+
+
+def _find(
+    sheet: Sheet,
+    rule: str,
+    severity: Severity,
+    controller: Controller,
+    *,
+    what: str,
+    here: str,
+    gazebo: str,
+    remedy: str,
+    at: Span | None = None,
+) -> Diagnostic:
+    return sheet.find(
+        rule,
+        severity,
+        controller.name.span if at is None else at,
+        companion=controller.companion,
+        what=what,
+        here=here,
+        gazebo=gazebo,
+        remedy=remedy,
+    )
+
+
+RULES = (
+    Rule(
+        id="CTL-I03",
+        title="controllers with gains, and without",
+        severity=Severity.WARNING,
+        look=gains,
+    ),
+)

@@ -1,0 +1,118 @@
+"""The rule about degrees where radians are meant."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+
+from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.rules.entries import JointEntry, OriginEntry
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.values import number_text, numbers_text
+from simkit.urdf.rules.wording import called, part_of
+
+_W07 = "URDF-W07"
+_FULL_TURN = 2 * math.pi * 1.05
+"A larger angle [rad] is more than a turn, rounding aside."
+_FEW_TURNS = 15.0
+"Some motors turn a few times; up to here [rad] only whole numbers look like degrees."
+_UNLIMITED = 3600.0
+_UNLIMITED_TOO = (10.0, 100.0, 1000.0)
+"Who writes one of these, or more than the number above, means that there is no limit [rad]."
+_ROUNDING = 0.01
+
+
+def degrees(sheet: Sheet) -> Iterator[Diagnostic]:
+    """Degrees where radians are meant.
+
+    Nothing complains. A joint with `upper="90"` turns fourteen times before it stops, and `rpy="0 90 0"` turns a part by 90
+    radians, which looks like any odd angle. URDF knows no degrees: 180 degrees are 3.1416, 90 are 1.5708, 45 are 0.7854.
+
+    Wrong:
+
+        <limit lower="-90" upper="90" effort="10" velocity="1"/>
+
+    Right:
+
+        <limit lower="-1.5708" upper="1.5708" effort="10" velocity="1"/>
+    """
+    for joint in sheet.joints:
+        if joint.type == "revolute":
+            yield from _in_limits(sheet, joint)
+        yield from _in_origin(sheet, joint.origin)
+    for link in sheet.links:
+        bodies = (*link.visuals, *link.collisions)
+        if link.inertial is not None:
+            yield from _in_origin(sheet, link.inertial.origin)
+        for body in bodies:
+            yield from _in_origin(sheet, body.origin)
+
+
+def look_like_degrees(angle: float) -> bool:
+    """Whether an angle [rad] is most likely one in degrees: more than a turn, and no number of quarter turns."""
+    size = abs(angle)
+    if size <= _FULL_TURN or size >= _UNLIMITED or size in _UNLIMITED_TOO:
+        return False
+    quarter = math.pi / 2
+    is_some_quarters = abs(math.remainder(size, quarter)) < _ROUNDING and size < 32 * quarter
+    return not is_some_quarters and (size > _FEW_TURNS or size == round(size))
+
+
+def _in_limits(sheet: Sheet, joint: JointEntry) -> Iterator[Diagnostic]:
+    limit = joint.limit
+    if limit is None or limit.lower is None or limit.upper is None:
+        return
+    values = {"lower": limit.lower, "upper": limit.upper}
+    bad = [name for name, value in values.items() if look_like_degrees(value)]
+    if not bad:
+        return
+    turns = number_text(round(max(abs(values[name]) for name in bad) / (2 * math.pi), 1))
+    written = " ".join(f'{name}="{number_text(values[name])}"' for name in bad)
+    yield sheet.find(
+        _W07,
+        Severity.WARNING,
+        limit.element.attribute(bad[0]) or limit.element,
+        element=limit.element,
+        what=f"{called(joint.element)} has {written}: {turns} turns in radians, so this looks like degrees",
+        remedy=f"Angles are in radians: write {_mended(values)}.",
+        here=f"The joint may turn {turns} times round.",
+        gazebo="ROS and Gazebo take the number for radians, too.",
+    )
+
+
+def _mended(values: Mapping[str, float]) -> str:
+    return " ".join(f'{name}="{_radians(value)}"' for name, value in values.items())
+
+
+def _in_origin(sheet: Sheet, origin: OriginEntry) -> Iterator[Diagnostic]:
+    if origin.element is None or origin.rpy is None:
+        return
+    bad = [angle for angle in origin.rpy if look_like_degrees(angle)]
+    if bad:
+        mended = " ".join(_radians(angle) for angle in origin.rpy)
+        off = number_text(round(math.degrees(math.remainder(bad[0], 2 * math.pi)), 1))
+        yield sheet.find(
+            _W07,
+            Severity.WARNING,
+            origin.element.attribute("rpy") or origin.element,
+            element=origin.element,
+            what=f"rpy {numbers_text(origin.rpy)!r} of {part_of(origin.element)} is more than a turn in radians, so this "
+            "looks like degrees",
+            remedy=f'Angles are in radians: write rpy="{mended}".',
+            here=f"{number_text(bad[0])} rad is the same as {off} degrees: the part stands askew.",
+            gazebo="ROS and Gazebo take the number for radians, too.",
+        )
+
+
+def _radians(angle_in_degrees: float) -> str:
+    return f"{math.radians(angle_in_degrees):.4f}".rstrip("0").rstrip(".")
+
+
+RULES = (
+    Rule(
+        id=_W07,
+        title="degrees where radians are meant",
+        severity=Severity.WARNING,
+        look=degrees,
+    ),
+)

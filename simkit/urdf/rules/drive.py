@@ -1,0 +1,183 @@
+"""Rules on robots with driven wheels: sides, sizes, torque, and what drags on the floor."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.rules.drive_facts import Drive, Wheel, drives, middle_of
+from simkit.urdf.rules.paste import short, triple
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.wording import quoted
+
+_NEAR = 0.001
+"Wheels that are less apart than this [m] are in one place."
+_TOLD, _BAD = 0.02, 0.1
+"A size that is off by these shares is told, as a note and as a warning."
+_BACKWARDS = "told to drive forward (+linear.x), the robot drives backward"
+
+
+def wheels_on_wrong_side(sheet: Sheet) -> Iterator[Diagnostic]:
+    """The wheels are on the wrong side, or turn the wrong way.
+
+    Symptom: The robot turns right when it is told to turn left, drives backward, or spins on the spot when it is told to
+    drive.
+
+    Cause: The frames of a robot have x forward and y to the left (REP 103). The left wheel is the one with the larger y. A
+    wheel that turns about +y rolls forward, one that turns about -y rolls backward.
+
+    Remedy: Swap the names in `<leftJoint>` and `<rightJoint>`, or the signs of y in the joints; `<axis xyz="0 1 0"/>` for
+    both wheels, in axes where y points to the left.
+
+    Right:
+
+        <joint name="joint_left_wheel" type="continuous">
+          <origin xyz="-0.05 0.15 0"/>
+          <axis xyz="0 1 0"/>
+          ...
+    """
+    for drive in drives(sheet):
+        found = _side_fault(drive)
+        if found is None:
+            continue
+        severity, wheel, what, remedy = found
+        yield sheet.find(
+            "GZ-W02",
+            severity,
+            wheel.element.text_span or wheel.element,
+            element=wheel.element,
+            what=what,
+            here="simkit drives the joints that are named.",
+            gazebo="Gazebo drives the joints that are named.",
+            remedy=remedy,
+            related=[
+                sheet.related(wheel.joint.origin.element or wheel.joint.element, "this joint")
+            ],
+        )
+
+
+def wheel_sizes(sheet: Sheet) -> Iterator[Diagnostic]:
+    """`<wheelSeparation>` or `<wheelDiameter>` is not that of the robot.
+
+    Symptom: The robot turns or drives faster or slower than it is told, and its odometry is off by the same factor.
+
+    Cause: The plugin does not look at the robot. It computes with the two numbers it is given: the distance between the
+    wheels, and their diameter (not their radius).
+
+    Remedy: The distance from the middle of the left wheel to the middle of the right one, and twice the radius.
+
+    Right:
+
+        <wheelSeparation>0.3</wheelSeparation>
+        <wheelDiameter>0.2</wheelDiameter>
+    """
+    for drive in drives(sheet):
+        apart = abs(middle_of(drive.left)[1] - middle_of(drive.right)[1])
+        if apart > _NEAR:
+            what = f"the wheels are {short(apart)} m apart"
+            yield from _size(sheet, drive, "wheelSeparation", apart, what, "turns", grows=True)
+        radii = [wheel.radius for wheel in drive.wheels if wheel.radius is not None]
+        if len(radii) == len(drive.wheels) and max(radii) <= min(radii) * (1.0 + _TOLD):
+            what = f"the wheels have a diameter of {short(2 * radii[0])} m (radius {short(radii[0])} m)"
+            yield from _size(
+                sheet, drive, "wheelDiameter", 2 * radii[0], what, "drives", grows=False
+            )
+
+
+def _side_fault(drive: Drive) -> tuple[Severity, Wheel, str, str] | None:
+    """What is wrong with the sides: how bad, which wheel, what, and the remedy."""
+    left, right = middle_of(drive.left), middle_of(drive.right)
+    across = [wheel for wheel in drive.wheels if abs(wheel.axis[1]) < 0.5 and any(wheel.axis)]
+    first, base = drive.left[0], f"in {quoted(drive.base)}"
+    if abs(left[1] - right[1]) < _NEAR:
+        what = f"the left and the right wheel are not side by side: {triple(left)} and {triple(right)} {base}"
+        return Severity.WARNING, first, what, "Put them apart along y, which points to the left."
+    if across:
+        name = quoted(across[0].joint.name)
+        what = f"the wheel of {name} turns about {triple(across[0].axis)} {base}: it cannot roll forward"
+        return (
+            Severity.WARNING,
+            across[0],
+            what,
+            'Let it turn about y: <axis xyz="0 1 0"/> in axes whose y points to the left.',
+        )
+    turns = {wheel.axis[1] > 0.0 for wheel in drive.wheels}
+    is_swapped = left[1] < right[1]
+    places = f"y = {short(left[1])} m is to the right of y = {short(right[1])} m"
+    if len(turns) > 1:
+        what = "the wheels turn against each other: told to drive forward (+linear.x), the robot spins on the spot"
+        return (
+            Severity.WARNING,
+            first,
+            what,
+            "Give both wheels the same <axis>, in axes that point the same way.",
+        )
+    if is_swapped and turns == {False}:
+        what = f"the front of the robot is at -x: its left wheel has y = {short(left[1])} m, and its wheels turn about -y"
+        return Severity.NOTE, first, what, "Right if you mean so; by REP 103 x points to the front."
+    if is_swapped:
+        what = f"the left and the right wheel are swapped ({places}): told to turn left (+angular.z), the robot turns right"
+        return (
+            Severity.WARNING,
+            first,
+            what,
+            (
+                f"Swap the names: <leftJoint>{drive.right[0].joint.name}</leftJoint> and "
+                f"<rightJoint>{first.joint.name}</rightJoint>, or the signs of y in the two joints."
+            ),
+        )
+    if turns == {False}:
+        axis = first.joint.axis or (0.0, 0.0, 0.0)
+        flipped = triple((0.0 - axis[0], 0.0 - axis[1], 0.0 - axis[2]))
+        return (
+            Severity.WARNING,
+            first,
+            f"the wheels turn about -y: {_BACKWARDS}",
+            f'Turn the axes of both wheels round: <axis xyz="{flipped}"/>.',
+        )
+    return None
+
+
+def _size(
+    sheet: Sheet, drive: Drive, name: str, real: float, what: str, verb: str, *, grows: bool
+) -> Iterator[Diagnostic]:
+    told = drive.number(name)
+    if told is None or told <= 0.0 or abs(told / real - 1.0) <= _TOLD:
+        return
+    factor = told / real if grows else real / told
+    given = drive.plugin.parameter(name)
+    stands = (
+        f"<{name}> is {short(told)} m"
+        if given is not None
+        else f"<{name}> is not given, so {short(told)} m"
+    )
+    yield sheet.find(
+        "GZ-W03",
+        Severity.WARNING if abs(told / real - 1.0) > _BAD else Severity.NOTE,
+        (given.text_span or given) if given is not None else drive.plugin.element,
+        element=drive.place(name),
+        what=f"{stands}, but {what}",
+        here=f"The robot {verb} {short(factor)} times as fast as it is told; odometry from the wheels is off by that factor.",
+        gazebo=f"The robot {verb} {short(factor)} times as fast as it is told; odometry from the wheels is off by that factor.",
+        remedy=f"Write <{name}>{short(real)}</{name}>.",
+        related=[
+            sheet.related(drive.left[0].joint.element, "the left wheel"),
+            sheet.related(drive.right[0].joint.element, "the right wheel"),
+        ],
+    )
+
+
+RULES = (
+    Rule(
+        id="GZ-W02",
+        title="wheels on the wrong side, or turning the wrong way",
+        severity=Severity.WARNING,
+        look=wheels_on_wrong_side,
+    ),
+    Rule(
+        id="GZ-W03",
+        title="wheelSeparation or wheelDiameter not that of the robot",
+        severity=Severity.WARNING,
+        look=wheel_sizes,
+    ),
+)

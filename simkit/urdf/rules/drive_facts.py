@@ -1,0 +1,156 @@
+"""The wheels that a drive plugin turns: where they are, which way they turn, how large they are."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from simkit.urdf.frame import Frame
+from simkit.urdf.matrix import apply
+from simkit.urdf.model import Cylinder, Sphere, Vector
+from simkit.urdf.placed_shape import PlacedShape
+from simkit.urdf.rules.entries import JointEntry, PluginEntry
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.tree_facts import is_whole
+from simkit.urdf.rules.values import read_number
+from simkit.urdf.rules.zero_pose import Standing, standing_shapes, zero_pose
+from simkit.xml import Element
+
+_SIDES = {
+    "libgazebo_ros_diff_drive.so": (("leftJoint",), ("rightJoint",)),
+    "libgazebo_ros_skid_steer_drive.so": (
+        ("leftFrontJoint", "leftRearJoint"),
+        ("rightFrontJoint", "rightRearJoint"),
+    ),
+}
+_DEFAULTS = {
+    "libgazebo_ros_diff_drive.so": {"wheelSeparation": 0.34, "wheelDiameter": 0.15, "wheelTorque": 5.0},
+    "libgazebo_ros_skid_steer_drive.so": {"wheelSeparation": 0.4, "wheelDiameter": 0.15, "torque": 5.0},
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wheel:
+    """One driven wheel, all joints at 0, seen from the base frame of the robot."""
+
+    joint: JointEntry
+    """The joint that is turned."""
+    element: Element
+    """Where the plugin names it; the plugin itself if it does not."""
+    middle: Vector
+    """Middle of its round shape; origin of the joint if it has none [m]."""
+    axis: Vector
+    """What it turns about, of length 1; all 0 if that cannot be read."""
+    radius: float | None
+    """[m]; None if it has no round shape."""
+    lowest: float | None
+    """z of its lowest point, seen from the root link [m]; None if it touches nothing."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Drive:
+    """A drive plugin whose joints all exist."""
+
+    plugin: PluginEntry
+    left: tuple[Wheel, ...]
+    right: tuple[Wheel, ...]
+    base: str
+    """The link that all is seen from."""
+
+    @property
+    def wheels(self) -> tuple[Wheel, ...]:
+        """All of them, the left ones first."""
+        return (*self.left, *self.right)
+
+    def number(self, name: str) -> float | None:
+        """A parameter, or its default; None if it is not read or is no number."""
+        default = _DEFAULTS[self.plugin.filename or ""].get(name)
+        element = self.plugin.parameter(name)
+        if default is None or element is None:
+            return default
+        return read_number(element.text)
+
+    def place(self, name: str) -> Element:
+        """Where a parameter stands; the plugin if it is not given."""
+        return self.plugin.parameter(name) or self.plugin.element
+
+    @property
+    def torque_name(self) -> str:
+        """What this plugin calls its torque."""
+        return "torque" if "skid" in (self.plugin.filename or "") else "wheelTorque"
+
+
+def drives(sheet: Sheet) -> list[Drive]:
+    """The drive plugins of a robot whose wheels can be found."""
+    found = []
+    plugins = [plugin for plugin in sheet.plugins if plugin.filename in _SIDES and is_whole(sheet)]
+    standing = zero_pose(sheet) if plugins else {}
+    for plugin in plugins[:20]:
+        base = _base(sheet, plugin, standing)
+        sides = [
+            tuple(_wheel(sheet, plugin, name, standing, base) for name in side)
+            for side in _SIDES[plugin.filename or ""]
+        ]
+        left, right = (tuple(wheel for wheel in side if wheel is not None) for side in sides)
+        if base is not None and all(None not in side for side in sides):
+            found.append(Drive(plugin=plugin, left=left, right=right, base=base))
+    return found
+
+
+def middle_of(wheels: tuple[Wheel, ...]) -> Vector:
+    """The middle between some wheels [m]."""
+    x, y, z = (sum(wheel.middle[axis] for wheel in wheels) / len(wheels) for axis in range(3))
+    return (x, y, z)
+
+
+def _base(sheet: Sheet, plugin: PluginEntry, standing: dict[str, Standing]) -> str | None:
+    """The base frame that the plugin names if it is a link, else the root of the tree."""
+    element = plugin.parameter("robotBaseFrame")
+    named = "" if element is None else element.text.strip().lstrip("/")
+    if named in standing:
+        return named
+    return next((link.name for link in sheet.links if link.name in standing and sheet.is_root(link)), None)  # fmt: skip
+
+
+def _wheel(
+    sheet: Sheet,
+    plugin: PluginEntry,
+    parameter: str,
+    standing: dict[str, Standing],
+    base: str | None,
+) -> Wheel | None:
+    element = plugin.parameter(parameter)
+    joint = None if element is None else sheet.joint_by_name.get(element.text.strip())
+    where = standing.get((joint.child if joint is not None else None) or "")
+    if element is None or joint is None or where is None or base is None or not joint.moves:
+        return None
+    seen_from = standing[base]
+    if seen_from.root != where.root:
+        return None
+    link = sheet.link_by_name[joint.child or ""]
+    touched = standing_shapes(link.collisions, where)
+    rounds = [
+        one
+        for one in (*touched, *standing_shapes(link.visuals, where))
+        if isinstance(one.shape, Cylinder | Sphere)
+    ]
+    middle = rounds[0].frame.origin if rounds else where.frame.origin
+    return Wheel(
+        joint=joint,
+        element=element,
+        middle=seen_from.frame.back(middle),
+        axis=_axis(joint, seen_from.frame.from_here(where.frame)),
+        radius=_radius(rounds),
+        lowest=min((shape.lowest() for shape in touched), default=None),
+    )
+
+
+def _axis(joint: JointEntry, frame: Frame) -> Vector:
+    x, y, z = apply(frame.rotation, joint.axis or (0.0, 0.0, 0.0))
+    length = math.hypot(x, y, z)
+    return (x / length, y / length, z / length) if 0.0 < length < math.inf else (0.0, 0.0, 0.0)
+
+
+def _radius(rounds: list[PlacedShape]) -> float | None:
+    shape = rounds[0].shape if rounds else None
+    return shape.radius if isinstance(shape, Cylinder | Sphere) else None

@@ -1,0 +1,81 @@
+"""The rule about the type of a joint."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.rules.meaning import nearest
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.values import shown
+from simkit.urdf.rules.vocabulary import JOINT_TYPES
+from simkit.urdf.rules.wording import called, refusal
+
+_E20 = "URDF-E20"
+_OTHER_NAMES = {
+    **dict.fromkeys(("hinge", "rotational", "rotary", "rotation", "rotate", "pivot"), "revolute"),
+    **dict.fromkeys(("slider", "linear", "translational", "slide", "prism"), "prismatic"),
+    **dict.fromkeys(("rigid", "weld", "static", "none", "fix"), "fixed"),
+    **dict.fromkeys(("wheel", "endless", "spin"), "continuous"),
+    **dict.fromkeys(("free", "6dof"), "floating"),
+}
+_NOT_THERE = {
+    **dict.fromkeys(
+        ("ball", "spherical"), "three revolute joints about x, y, z with small links between them"
+    ),
+    **dict.fromkeys(
+        ("universal", "revolute2"), "two revolute joints at right angles with a small link between"
+    ),
+    **dict.fromkeys(
+        ("screw", "gearbox"), "a prismatic joint, and a revolute one that follows it with <mimic>"
+    ),
+}
+
+
+def unknown_type(sheet: Sheet) -> Iterator[Diagnostic]:
+    """A joint of a type that URDF does not know.
+
+    ROS says `Joint [hip] has no known type [revolut]` and refuses the robot. There are six types, in small letters: `fixed`,
+    `revolute` (turns between limits), `continuous` (turns without end), `prismatic` (slides between limits), and, hardly ever
+    used, `floating` and `planar`.
+
+    Wrong:
+
+        <joint name="hip" type="revolut">
+
+    Right:
+
+        <joint name="hip" type="revolute">
+    """
+    for joint in sheet.joints:
+        if joint.type is None or joint.type in JOINT_TYPES:
+            continue
+        yield sheet.find(
+            _E20,
+            Severity.ERROR,
+            joint.element.attribute("type") or joint.element,
+            element=joint.element,
+            what=f"{called(joint.element)} has the type {shown(joint.type)!r}, which does not exist",
+            remedy=_remedy(joint.type),
+            here=refusal().here,
+            gazebo=refusal().gazebo,
+        )
+
+
+def _remedy(written: str) -> str:
+    folded = written.strip().lower()
+    if folded in _NOT_THERE:
+        return f"URDF has no such joint; take {_NOT_THERE[folded]}."
+    near = _OTHER_NAMES.get(folded) or nearest(folded, JOINT_TYPES)
+    types = f"The types are {', '.join(JOINT_TYPES)}."
+    return f'Write type="{near}". {types}' if near else types
+
+
+RULES = (
+    Rule(
+        id=_E20,
+        title="a type of joint that does not exist",
+        severity=Severity.ERROR,
+        look=unknown_type,
+    ),
+)

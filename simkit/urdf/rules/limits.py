@@ -1,0 +1,213 @@
+"""Rules about the limits of joints: missing, zero, the wrong way round, without effect."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.rules.entries import JointEntry, LimitEntry
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.values import number_text
+from simkit.urdf.rules.wording import called, refusal
+
+_E05, _W06, _E08, _I34 = "URDF-E05", "URDF-W06", "URDF-E08", "URDF-I34"
+_UNITS = {"revolute": "rad", "prismatic": "m", "continuous": "rad"}
+
+
+def no_limit(sheet: Sheet) -> Iterator[Diagnostic]:
+    """A revolute or prismatic joint without limits.
+
+    ROS says `Joint [elbow] is of type REVOLUTE but it does not specify limits` and refuses the robot. A `revolute` joint turns
+    between two angles, a `prismatic` one slides between two positions, so both need `<limit>`. A joint that may turn round and
+    round is `continuous`, and needs none.
+
+    Wrong:
+
+        <joint name="elbow" type="revolute">
+          ...
+        </joint>
+
+    Right:
+
+        <joint name="elbow" type="revolute">
+          ...
+          <limit lower="-1.5708" upper="1.5708" effort="10" velocity="1"/>
+        </joint>
+    """
+    for joint in sheet.joints:
+        if joint.limit is not None or joint.type not in ("revolute", "prismatic"):
+            continue
+        turns = joint.type == "revolute"
+        bounds = 'lower="-1.5708" upper="1.5708"' if turns else 'lower="0" upper="0.1"'
+        other = ' Or write type="continuous" if it may turn without end.' if turns else ""
+        yield sheet.find(
+            _E05,
+            Severity.ERROR,
+            joint.element.attribute("type") or joint.element,
+            element=joint.element,
+            what=f"{called(joint.element)} is {joint.type} and has no <limit>",
+            remedy=f'Add e.g. <limit {bounds} effort="10" velocity="1"/> ({_UNITS[joint.type]}).{other}',
+            here=refusal().here,
+            gazebo=refusal().gazebo,
+        )
+
+
+def no_authority(sheet: Sheet) -> Iterator[Diagnostic]:
+    """A joint that may not push, or may not move.
+
+    The joint never moves, whatever the controller sends. `effort` is the largest force or torque of its motor, `velocity` the
+    largest speed. 0 does not mean "no limit" but "none at all". Who does not know them writes a number that is big enough.
+
+    Wrong:
+
+        <limit lower="-1" upper="1" effort="0" velocity="0"/>
+
+    Right:
+
+        <limit lower="-1" upper="1" effort="10" velocity="1"/>
+    """
+    for joint in sheet.joints:
+        limit = joint.limit
+        if limit is None or not joint.moves:
+            continue
+        values = {"effort": limit.effort, "velocity": limit.velocity}
+        bad = [name for name, value in values.items() if value is not None and value <= 0.0]
+        if bad:
+            yield _unable(sheet, joint, limit, bad)
+
+
+def _unable(sheet: Sheet, joint: JointEntry, limit: LimitEntry, bad: list[str]) -> Diagnostic:
+    written = " and ".join(f'{name}="{limit.element.get(name)}"' for name in bad)
+    able_to = {"effort": "10", "velocity": "1"}
+    mended = " ".join(f'{name}="{able_to[name]}"' for name in bad)
+    able = {"effort": "has no strength", "velocity": "may not move"}
+    return sheet.find(
+        _W06,
+        Severity.WARNING,
+        limit.element.attribute(bad[0]) or limit.element,
+        element=limit.element,
+        what=f"{called(joint.element)} has {written}: it {' and '.join(able[name] for name in bad)}",
+        remedy=f"0 does not mean unlimited. Write what its motor can do, e.g. {mended}.",
+        here="With physics the joint does not follow its commands; sliders still move it.",
+        gazebo="Gazebo applies no force beyond the effort and lets no motor exceed the velocity.",
+    )
+
+
+def lower_above_upper(sheet: Sheet) -> Iterator[Diagnostic]:
+    """Limits the wrong way round, or without room between them.
+
+    ROS accepts them without a word. The joint cannot be where it may be: Gazebo throws it about or holds it fast, and a slider
+    has no room. Mostly a minus sign slipped. `lower` and `upper` that are left out are both 0, which leaves no room either.
+
+    Wrong:
+
+        <limit lower="1.57" upper="-1.57" effort="10" velocity="1"/>
+
+    Right:
+
+        <limit lower="-1.57" upper="1.57" effort="10" velocity="1"/>
+    """
+    for joint in sheet.joints:
+        limit = joint.limit
+        if limit is None or joint.type not in ("revolute", "prismatic"):
+            continue
+        if limit.lower is None or limit.upper is None:
+            continue
+        if limit.lower > limit.upper:
+            yield _crossed(sheet, joint, limit, limit.lower, limit.upper)
+        elif limit.lower == limit.upper:
+            yield _no_room(sheet, joint, limit, limit.lower)
+
+
+def _crossed(
+    sheet: Sheet, joint: JointEntry, limit: LimitEntry, lower: float, upper: float
+) -> Diagnostic:
+    low, high = number_text(lower), number_text(upper)
+    return sheet.find(
+        _E08,
+        Severity.ERROR,
+        limit.element.attribute("lower") or limit.element.attribute("upper") or limit.element,
+        element=limit.element,
+        what=f"{called(joint.element)} has lower {low} above upper {high}",
+        remedy=f'Write lower="{high}" upper="{low}", if they are only swapped.',
+        here="No position is allowed; a slider of this joint has no room.",
+        gazebo="ROS accepts it; in Gazebo the joint is thrown about between two limits that it cannot keep.",
+    )
+
+
+def _no_room(sheet: Sheet, joint: JointEntry, limit: LimitEntry, at: float) -> Diagnostic:
+    is_default = not (limit.element.get("lower") or limit.element.get("upper"))
+    why = "no lower and upper, so both are 0" if is_default else f"both limits at {number_text(at)}"
+    wide = 'lower="-1.5708" upper="1.5708"' if joint.type == "revolute" else 'lower="0" upper="0.1"'
+    return sheet.find(
+        _E08,
+        Severity.WARNING,
+        limit.element.attribute("lower") or limit.element,
+        element=limit.element,
+        what=f"{called(joint.element)} has {why}: it cannot move",
+        remedy=f'Give it room, e.g. {wide} ({_UNITS[str(joint.type)]}); or write type="fixed" if it is not to move.',
+        here="The joint stays where it is, and gets no slider.",
+        gazebo="The joint stays where it is, and gets no slider.",
+    )
+
+
+def limits_of_a_continuous_joint(sheet: Sheet) -> Iterator[Diagnostic]:
+    """Limits of angle on a joint that has none.
+
+    A `continuous` joint turns round and round; ROS and Gazebo do not look at its `lower` and `upper`. Either they are not
+    needed, or the joint was meant to be `revolute`. `effort` and `velocity` do count.
+
+    Wrong, if the wrist is to stop at 90 degrees:
+
+        <joint name="wrist" type="continuous">
+          <limit lower="-1.5708" upper="1.5708" effort="10" velocity="1"/>
+
+    Right:
+
+        <joint name="wrist" type="revolute">
+          <limit lower="-1.5708" upper="1.5708" effort="10" velocity="1"/>
+    """
+    for joint in sheet.joints:
+        limit = joint.limit
+        if limit is None or joint.type != "continuous":
+            continue
+        given = [one for one in limit.element.attributes if one.name in ("lower", "upper")]
+        if given and (limit.lower or limit.upper):
+            yield sheet.find(
+                _I34,
+                Severity.NOTE,
+                given[0],
+                element=limit.element,
+                what=f"{called(joint.element)} is continuous: its {' and '.join(one.name for one in given)} have no effect",
+                remedy='Leave them out, or write type="revolute" if the joint is to stop there.',
+                here="The joint turns without end.",
+                gazebo="The joint turns without end.",
+            )
+
+
+RULES = (
+    Rule(
+        id=_E05,
+        title="a revolute or prismatic joint without <limit>",
+        severity=Severity.ERROR,
+        look=no_limit,
+    ),
+    Rule(
+        id=_W06,
+        title="effort or velocity 0: the joint is unable to move",
+        severity=Severity.WARNING,
+        look=no_authority,
+    ),
+    Rule(
+        id=_E08,
+        title="lower limit above the upper one, or equal to it",
+        severity=Severity.ERROR,
+        look=lower_above_upper,
+    ),
+    Rule(
+        id=_I34,
+        title="limits that a continuous joint does not look at",
+        severity=Severity.NOTE,
+        look=limits_of_a_continuous_joint,
+    ),
+)

@@ -1,0 +1,216 @@
+"""Rules about materials: not defined, defined differently, colours out of range."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.rules.entries import MaterialEntry
+from simkit.urdf.rules.meaning import meant_attribute
+from simkit.urdf.rules.number_repair import mended
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.values import number_text, numbers_text, read_number, shown
+from simkit.urdf.rules.wording import meant, quoted
+from simkit.xml import Attribute, Element
+
+_W22, _W23 = "URDF-W22", "URDF-W23"
+_GREY = "the shape is drawn in a default colour"
+
+
+def undefined_material(sheet: Sheet) -> Iterator[Diagnostic]:
+    """A material that nobody defines, or that is defined more than once.
+
+    The part appears in grey or red, not in its colour; ROS prints `material 'sliver' undefined` and goes on. A material that
+    several visuals share is defined best at the top, in the robot itself. If it is defined in a visual, the visuals that only
+    name it must stand behind. Of two definitions of a name the first one counts.
+
+    Wrong, if nothing defines `sliver`:
+
+        <material name="sliver"/>
+
+    Right:
+
+        <material name="silver">
+          <color rgba="0.75 0.75 0.75 1"/>
+        </material>
+    """
+    defined = _definitions(sheet)
+    names = {name: one for name, one in defined.items() if one.is_global}
+    told: set[str] = set()
+    for material in sheet.materials:
+        if not material.name:
+            continue
+        first = defined.get(material.name)
+        if _is_definition(material):
+            if not material.is_global:
+                names.setdefault(material.name, material)
+            if first is not None and material.name not in told and _differ(material, first):
+                told.add(material.name)
+                yield _redefined(sheet, material, first)
+        elif material.name not in names and material.name not in told:
+            told.add(material.name)
+            uses = [
+                one for one in sheet.materials if one.name == material.name and one is not first
+            ]
+            yield _undefined(sheet, material, first, sorted(defined), len(uses) - 1)
+
+
+def _definitions(sheet: Sheet) -> dict[str, MaterialEntry]:
+    """Of each name the definition that counts: that of the robot, else the first one."""
+    found: dict[str, MaterialEntry] = {}
+    for material in sheet.materials:
+        if material.name and _is_definition(material):
+            found.setdefault(material.name, material)
+    return found
+
+
+def _is_definition(material: MaterialEntry) -> bool:
+    return material.color_element is not None or material.texture is not None
+
+
+def _undefined(
+    sheet: Sheet,
+    material: MaterialEntry,
+    later: MaterialEntry | None,
+    known: list[str],
+    more: int,
+) -> Diagnostic:
+    name = str(material.name)
+    times = f" ({more + 1} times)" if more else ""
+    color = f'<material name="{shown(name)}"><color rgba="0.75 0.75 0.75 1"/></material>'
+    related = []
+    if material.is_global:
+        what = f"material {quoted(name)} has neither a colour nor a texture"
+        remedy = 'Give it one: <color rgba="0.75 0.75 0.75 1"/>.'
+    elif later is not None:
+        what = f"material {quoted(name)} is defined only further down, in line {later.element.span.line}"
+        remedy = "Move its definition up into the robot, before the links."
+        related = [sheet.related(later.element, "it is defined here")]
+    else:
+        what = f"material {quoted(name)} is not defined{times}"
+        remedy = f"{meant(sheet.near(name, known))}Or define it in the robot: {color}."
+    return sheet.find(
+        _W22,
+        Severity.WARNING,
+        _name(material.element),
+        element=material.element,
+        what=what,
+        remedy=remedy,
+        here=f"As in ROS, {_GREY}.",
+        gazebo=f"ROS warns that the material is undefined, and {_GREY}.",
+        related=related,
+    )
+
+
+def _differ(material: MaterialEntry, first: MaterialEntry) -> bool:
+    """Whether a visual defines a material in another way than the definition that counts."""
+    looks = (material.rgba, material.texture)
+    is_other = not material.is_global and any(looks)
+    return is_other and looks != (first.rgba, first.texture)
+
+
+def _redefined(sheet: Sheet, material: MaterialEntry, first: MaterialEntry) -> Diagnostic:
+    old, new = (numbers_text(one.rgba or ()) or "a texture" for one in (first, material))
+    return sheet.find(
+        _W22,
+        Severity.WARNING,
+        material.color_element or material.element,
+        element=material.element,
+        what=f"material {quoted(material.name)} is defined as {new} here, and as {old} in line {first.element.span.line}",
+        remedy="Give the two colours two names, or define the material once, in the robot.",
+        here="The first definition counts wherever the material is only named.",
+        gazebo="The first definition counts wherever the material is only named.",
+        related=[sheet.related(first.element, "it is defined here first")],
+    )
+
+
+def bad_colour(sheet: Sheet) -> Iterator[Diagnostic]:
+    """A colour that is not four numbers from 0 to 1.
+
+    ROS says `malformed color rgba` and leaves the material without a colour; with three numbers it takes black, without a
+    word. Red, green, blue and opacity go from 0 to 1, not to 255: divide by 255. Opacity 1 is solid, 0 is invisible.
+
+    Wrong:
+
+        <color rgba="255 128 0"/>
+
+    Right:
+
+        <color rgba="1 0.502 0 1"/>
+    """
+    for material in sheet.materials:
+        color = material.color_element
+        if color is None:
+            continue
+        written = meant_attribute(color, "rgba", "color")
+        trouble, right = _trouble(written)
+        if trouble:
+            yield _bad(sheet, color, written, f"{trouble}{_of(material)}", right)
+
+
+def _of(material: MaterialEntry) -> str:
+    return f" in material {quoted(material.name)}" if material.name else ""
+
+
+def _trouble(written: Attribute | None) -> tuple[str, str]:
+    """What is wrong with a colour, and what would be right."""
+    if written is None:
+        return "a colour without rgba", "0.75 0.75 0.75 1"
+    text = written.value
+    numbers = [read_number(word) for word in text.split(" ") if word]
+    known = [number for number in numbers if number is not None]
+    if len(known) == len(numbers) == 3:
+        return f"rgba={shown(text)!r} lacks its fourth number, the opacity", _scaled([*known, 1.0])
+    if len(known) == len(numbers) == 4:
+        if all(0.0 <= number <= 1.0 for number in known):
+            return "", ""
+        return f"rgba={shown(text)!r} is not from 0 to 1", _scaled(known)
+    right = mended(text, 4) or (f"{mended(text, 3)} 1" if mended(text, 3) else "0.75 0.75 0.75 1")
+    return f"rgba={shown(text)!r} is not four numbers", right
+
+
+def _scaled(numbers: list[float]) -> str:
+    """A colour from 0 to 1 for one from 0 to 255, or to 100; of others what is too much is cut off."""
+    *colour, opacity = numbers
+    top = max(colour)
+    full = 1.0 if top <= 1.0 or top > 255.0 else 100.0 if top == 100.0 else 255.0
+    opacity = opacity / (255.0 if opacity > 100.0 else 100.0) if opacity > 1.0 else opacity
+    scaled = [*(value / full for value in colour), opacity]
+    return " ".join(number_text(round(min(max(value, 0.0), 1.0), 3)) for value in scaled)
+
+
+def _bad(
+    sheet: Sheet, color: Element, written: Attribute | None, what: str, right: str
+) -> Diagnostic:
+    is_short = written is not None and len(written.value.split()) == 3
+    follows = "The colour becomes black." if is_short else "The material gets no colour."
+    return sheet.find(
+        _W23,
+        Severity.WARNING,
+        written or color,
+        element=color,
+        what=what,
+        remedy=f'Write rgba="{right}": red, green, blue, opacity, each from 0 to 1.',
+        here=follows,
+        gazebo=follows,
+    )
+
+
+def _name(element: Element) -> Attribute | Element:
+    return element.attribute("name") or element
+
+
+RULES = (
+    Rule(
+        id=_W22,
+        title="a material that is not defined, or defined in two ways",
+        severity=Severity.WARNING,
+        look=undefined_material,
+    ),
+    Rule(
+        id=_W23,
+        title="a colour that is not four numbers from 0 to 1",
+        severity=Severity.WARNING,
+        look=bad_colour,
+    ),
+)

@@ -1,0 +1,213 @@
+"""The rule about the files of meshes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.errors import SimkitError
+from simkit.urdf.meshes import MeshFinder
+from simkit.urdf.model import Mesh
+from simkit.urdf.rules.entries import BodyEntry
+from simkit.urdf.rules.mesh_size import mesh_extent
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.values import number_text, numbers_text, shown
+from simkit.urdf.rules.wording import part_of
+from simkit.xml import Attribute, Element
+
+_E18 = "URDF-E18"
+_LARGEST, _SMALLEST = 10.0, 0.001
+"Meshes larger or smaller than this [m] are most likely in another unit."
+_FIND = re.compile(r"\$\(find\s+([^)\s]+)\s*\)/?(.*)")
+_SCHEME = re.compile(r"([A-Za-z][A-Za-z0-9+.-]+)://")
+_LOST = "RViz shows nothing there and names the file in red; as a collision of Gazebo, everything falls through."
+_PLACEHOLDER = "The robot is kept, with a placeholder there."
+
+
+def mesh(sheet: Sheet) -> Iterator[Diagnostic]:
+    """A mesh whose file is not there, is named in a way that ROS does not know, or has an odd size.
+
+    The part is not seen. `package://my_robot/meshes/hand.stl` is the file meshes/hand.stl in the folder of the package
+    my_robot; capitals count, on Linux at least. A file relative to the URDF is found here, but not by RViz. A mesh in
+    millimetres is a thousand times too large, for URDF takes its numbers for metres: `scale` puts it right.
+
+    Wrong:
+
+        <mesh filename="meshes/Hand.STL"/>
+
+    Right:
+
+        <mesh filename="package://my_robot/meshes/hand.stl" scale="0.001 0.001 0.001"/>
+    """
+    places: dict[tuple[str, str], list[tuple[BodyEntry, Attribute]]] = {}
+    for link in sheet.links:
+        for body in (*link.visuals, *link.collisions):
+            shape, element = body.shape, body.shape_element
+            attribute = None if element is None else element.attribute("filename")
+            if isinstance(shape, Mesh) and attribute is not None:
+                key = (shape.filename, repr(shape.scale))
+                places.setdefault(key, []).append((body, attribute))
+    looker = _Looker(sheet)
+    for uses in places.values():
+        yield from looker.look(*uses[0], count=len(uses))
+
+
+class _Looker:
+    """Looks at one mesh after the other; each package is looked for once."""
+
+    def __init__(self, sheet: Sheet) -> None:
+        self._sheet = sheet
+        self._finder = MeshFinder(sheet.folder, sheet.packages)
+        self._packages: dict[str, bool] = {}
+
+    def look(self, body: BodyEntry, attribute: Attribute, *, count: int) -> Iterator[Diagnostic]:
+        """What is wrong with a mesh, told at the first of its `count` uses."""
+        shape, element = body.shape, body.shape_element
+        if not isinstance(shape, Mesh) or element is None:
+            return
+        name = shape.filename
+        match, scheme = _FIND.match(name), _SCHEME.match(name)
+        more = f" ({count} times)" if count > 1 else ""
+        if match is not None:
+            remedy = f'$(find ...) is for launch files: write "package://{shown(match[1])}/{shown(match[2])}".'
+            yield self._lost(
+                element, attribute, f"mesh {shown(name)!r}{more} names no file", remedy
+            )
+        elif scheme is not None and scheme[1].lower() not in ("package", "file"):
+            yield self._other_scheme(element, attribute, scheme[1].lower())
+        elif name.startswith("package:") and self._sheet.packages is None:
+            return
+        else:
+            yield from self._file(body, element, attribute, more)
+
+    def _file(
+        self, body: BodyEntry, element: Element, attribute: Attribute, more: str
+    ) -> Iterator[Diagnostic]:
+        name = attribute.value
+        path, problem = self._finder.find(name)
+        if path is None:
+            yield self._missing(element, attribute, problem, more)
+            return
+        if not _SCHEME.match(name):
+            yield self._relative(element, attribute, more)
+        if isinstance(body.shape, Mesh):
+            extent = mesh_extent(path)
+            if extent is not None:
+                yield from self._odd_size(element, attribute, body.shape, extent)
+
+    def _missing(
+        self, element: Element, attribute: Attribute, problem: str, more: str
+    ) -> Diagnostic:
+        known = self._knows_package(attribute.value)
+        remedy = "Correct the name, or put the file there."
+        if not known:
+            remedy = "Put the package (a folder with a package.xml) beside this one, or name it in SIMKIT_PACKAGE_PATH."
+        what = f"the mesh of {part_of(element)}{more} is not found: {shown_long(problem)}"
+        severity = Severity.ERROR if known else Severity.WARNING
+        return self._lost(element, attribute, what, remedy, severity)
+
+    def _knows_package(self, filename: str) -> bool:
+        if not filename.startswith("package://") or self._sheet.packages is None:
+            return True
+        name = filename.removeprefix("package://").partition("/")[0]
+        if name not in self._packages:
+            try:
+                self._sheet.packages.find(name)
+                self._packages[name] = True
+            except SimkitError:
+                self._packages[name] = False
+        return self._packages[name]
+
+    def _lost(
+        self,
+        element: Element,
+        attribute: Attribute,
+        what: str,
+        remedy: str,
+        severity: Severity = Severity.ERROR,
+    ) -> Diagnostic:
+        return self._sheet.find(
+            _E18,
+            severity,
+            attribute,
+            element=element,
+            what=what,
+            remedy=remedy,
+            here=_PLACEHOLDER,
+            gazebo=_LOST,
+        )
+
+    def _other_scheme(self, element: Element, attribute: Attribute, scheme: str) -> Diagnostic:
+        gazebo = "ROS does not know it, and shows nothing."
+        if scheme in ("http", "https"):
+            gazebo = "ROS fetches it from the network, each time anew."
+        elif scheme == "model":
+            gazebo = "Only Gazebo knows it; RViz shows nothing."
+        return self._sheet.find(
+            _E18,
+            Severity.WARNING,
+            attribute,
+            element=element,
+            what=f"mesh {shown(attribute.value)!r} is named with {scheme}://, which is not read here",
+            remedy='Put the file into a package, and write "package://my_robot/meshes/...".',
+            here=_PLACEHOLDER,
+            gazebo=gazebo,
+        )
+
+    def _relative(self, element: Element, attribute: Attribute, more: str) -> Diagnostic:
+        inner = attribute.value.lstrip("./")
+        return self._sheet.find(
+            _E18,
+            Severity.WARNING,
+            attribute,
+            element=element,
+            what=f"mesh {shown(attribute.value)!r}{more} is named relative to this file, which ROS does not understand",
+            remedy=f'Write "package://my_robot/{shown(inner)}", with the name of your package and the way from its folder.',
+            here="The file is found.",
+            gazebo=_LOST,
+        )
+
+    def _odd_size(
+        self,
+        element: Element,
+        attribute: Attribute,
+        shape: Mesh,
+        extent: tuple[float, float, float],
+    ) -> Iterator[Diagnostic]:
+        x, y, z = (abs(f) * size for f, size in zip(shape.scale, extent, strict=True))
+        size = max(x, y, z)
+        if _SMALLEST <= size <= _LARGEST or size == 0.0:
+            return
+        factor = 0.001 if size > _LARGEST else 1000.0
+        scale = numbers_text(number * factor for number in shape.scale)
+        right = number_text(size * factor)
+        fits = _SMALLEST < size * factor < _LARGEST
+        yield self._sheet.find(
+            _E18,
+            Severity.WARNING,
+            element.attribute("scale") or attribute,
+            element=element,
+            what=f"the mesh of {part_of(element)} is {number_text(size)} m long",
+            remedy=f'If it is drawn in millimetres, write scale="{scale}": then it is {right} m long.'
+            if fits and factor < 1
+            else f'Check its unit; with scale="{scale}" it is {right} m long.',
+            here="Its numbers are taken for metres.",
+            gazebo="Its numbers are taken for metres.",
+        )
+
+
+def shown_long(text: str) -> str:
+    """A reason for a message, on one line."""
+    text = " ".join(text.split())
+    return text if len(text) <= 200 else text[:197] + "..."
+
+
+RULES = (
+    Rule(
+        id=_E18,
+        title="a mesh that is not there, or has an odd size",
+        severity=Severity.ERROR,
+        look=mesh,
+    ),
+)

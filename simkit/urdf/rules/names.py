@@ -1,0 +1,207 @@
+"""Rules about names: given twice, missing, or such that they make trouble."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.rules.entries import JointEntry, LinkEntry, MaterialEntry
+from simkit.urdf.rules.meaning import meant_attribute
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.tree_facts import names_for_spare_links
+from simkit.urdf.rules.values import shown
+from simkit.urdf.rules.wording import called, loss, part_of, quoted, refusal
+from simkit.xml import Attribute, Element
+
+_E21, _E24, _W32 = "URDF-E21", "URDF-E24", "URDF-W32"
+
+
+def name_twice(sheet: Sheet) -> Iterator[Diagnostic]:
+    """Two links, joints or materials of one name.
+
+    ROS says `link 'wheel' is not unique` and refuses the robot. Mostly a link or joint was copied, and its name not changed.
+
+    Wrong:
+
+        <link name="wheel"/>
+        <link name="wheel"/>
+
+    Right:
+
+        <link name="left_wheel"/>
+        <link name="right_wheel"/>
+    """
+    asked = {id(link): name for name, link in names_for_spare_links(sheet).items()}
+    used = {*sheet.link_by_name, *sheet.joint_by_name}
+    counts: dict[str, int] = {}
+    for entry, before in _repeated(sheet):
+        other = asked.get(id(entry)) or _free_name(str(entry.name), used, counts)
+        wish = " (a joint asks for that link)" if id(entry) in asked else ""
+        word = called(entry.element).partition(" ")[0]
+        yield sheet.find(
+            _E21,
+            Severity.ERROR,
+            _name(entry.element),
+            element=entry.element,
+            what=f"there is a {word} {quoted(entry.name)} already, in line {before.element.span.line}",
+            remedy=f'Give this one another name, e.g. name="{shown(other)}"{wish}.',
+            here=refusal().here,
+            gazebo=refusal().gazebo,
+            related=[sheet.related(_name(before.element), f"the first {word} of that name")],
+        )
+
+
+def _repeated(
+    sheet: Sheet,
+) -> Iterator[
+    tuple[LinkEntry | JointEntry | MaterialEntry, LinkEntry | JointEntry | MaterialEntry]
+]:
+    materials = [one for one in sheet.materials if one.is_global]
+    kinds: tuple[Iterable[LinkEntry | JointEntry | MaterialEntry], ...]
+    kinds = (sheet.links, sheet.joints, materials)
+    for entries in kinds:
+        first: dict[str, LinkEntry | JointEntry | MaterialEntry] = {}
+        for entry in entries:
+            if entry.name and first.setdefault(entry.name, entry) is not entry:
+                yield entry, first[entry.name]
+
+
+def _free_name(name: str, used: set[str], counts: dict[str, int]) -> str:
+    """The name with the next number that is not taken; `counts` holds the last number of each name."""
+    number = counts.get(name, 1) + 1
+    while f"{name}_{number}" in used:
+        number += 1
+    counts[name] = number
+    return f"{name}_{number}"
+
+
+def name_missing(sheet: Sheet) -> Iterator[Diagnostic]:
+    """A robot, link, joint or material without a name.
+
+    A link without a name cannot be the parent or child of a joint; a joint without one cannot be moved; ROS refuses a robot
+    without one. A visual that gives a colour without a name for it loses its shape.
+
+    Wrong:
+
+        <link>
+
+    Right:
+
+        <link name="torso">
+    """
+    if sheet.robot is None:
+        return
+    if meant_attribute(sheet.robot, "name", "robot") is None:
+        yield _nameless(sheet, sheet.robot, 'name="my_robot"', refuses=True)
+    asked = {id(link): name for name, link in names_for_spare_links(sheet).items()}
+    for link in sheet.links:
+        if link.name is None:
+            wish = f'name="{asked[id(link)]}", which a joint asks for' if id(link) in asked else ""
+            yield _nameless(sheet, link.element, wish or 'name="my_link"', refuses=False)
+    for joint in sheet.joints:
+        if joint.name is None:
+            wish = f'name="{joint.child or "my"}_joint"'
+            yield _nameless(sheet, joint.element, wish, refuses=joint.element.get("name") is None)
+    for material in sheet.materials:
+        if material.name is None:
+            yield _nameless(sheet, material.element, 'name="my_colour"', refuses=False)
+
+
+def _nameless(sheet: Sheet, element: Element, wish: str, *, refuses: bool) -> Diagnostic:
+    empty = element.attribute("name")
+    follows = refusal() if refuses else loss(element)
+    here, gazebo = follows.here, follows.gazebo
+    severity = follows.severity
+    if element.name == "link":
+        here = gazebo = "The file is accepted, with a link whose name is empty."
+    elif empty is not None:
+        severity, here, gazebo = Severity.WARNING, "", "The file is accepted, with an empty name."
+    whole = "the robot" if element.parent is None else f"a <{shown(element.name)}>"
+    where = f" in {part_of(element)}" if element.name == "material" else ""
+    return sheet.find(
+        _E24,
+        severity,
+        empty or element,
+        element=element,
+        what=f"{whole}{where} has {'an empty name' if empty is not None else 'no name'}",
+        remedy=f"Give it one: {wish}.",
+        here=here,
+        gazebo=gazebo,
+    )
+
+
+def odd_name(sheet: Sheet) -> Iterator[Diagnostic]:
+    """A name with white space, or with a slash at its begin; a joint that is called like a link.
+
+    Names of links are names of TF frames. tf2 refuses frames that begin with a slash. A space, most of all one at the end that
+    nobody sees, makes a name different from the one that everybody else writes. Gazebo tells joints and links apart by their
+    names only in part: newer ones complain if a joint is called like a link.
+
+    Wrong:
+
+        <link name="left wheel "/>
+
+    Right:
+
+        <link name="left_wheel"/>
+    """
+    entries: list[LinkEntry | JointEntry] = [*sheet.links, *sheet.joints]
+    for entry in entries:
+        name = entry.name
+        if name is None:
+            continue
+        better = "_".join(name.split()).lstrip("/") or "my_name"
+        if name != "_".join(name.split()):
+            yield _odd(sheet, entry, Severity.WARNING, "has white space in its name", better)
+        elif name.startswith("/"):
+            yield _odd(sheet, entry, Severity.WARNING, "begins with a slash", better)
+    for joint in sheet.joints:
+        if joint.name is not None and joint.name in sheet.link_by_name:
+            what = "has the name of a link"
+            yield _odd(sheet, joint, Severity.NOTE, what, f"{joint.name}_joint")
+
+
+def _odd(
+    sheet: Sheet, entry: LinkEntry | JointEntry, severity: Severity, what: str, better: str
+) -> Diagnostic:
+    gazebo = "ROS takes the name as it is; each space must be written everywhere else, too."
+    if str(entry.name).startswith("/"):
+        gazebo = "tf2 refuses frames that begin with a slash."
+    elif severity is Severity.NOTE:
+        gazebo = "ROS accepts it; newer Gazebos complain that the name is not unique."
+    return sheet.find(
+        _W32,
+        severity,
+        _name(entry.element),
+        element=entry.element,
+        what=f"{called(entry.element)} {what}",
+        remedy=f'Write name="{shown(better)}", and the same wherever it is named.',
+        here="It is taken as it is.",
+        gazebo=gazebo,
+    )
+
+
+def _name(element: Element) -> Attribute | Element:
+    return element.attribute("name") or element
+
+
+RULES = (
+    Rule(
+        id=_E21,
+        title="two links, joints or materials of one name",
+        severity=Severity.ERROR,
+        look=name_twice,
+    ),
+    Rule(
+        id=_E24,
+        title="a name is missing",
+        severity=Severity.ERROR,
+        look=name_missing,
+    ),
+    Rule(
+        id=_W32,
+        title="a name with white space or a slash, or that of a link and a joint",
+        severity=Severity.WARNING,
+        look=odd_name,
+    ),
+)

@@ -1,0 +1,211 @@
+"""Rules about parts: what must be there and is not, and what is there too often."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.rules.grammar import in_context
+from simkit.urdf.rules.meaning import meant_children, meant_word
+from simkit.urdf.rules.missing import missing_attributes, wanted_text
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.values import shown
+from simkit.urdf.rules.vocabulary import SHAPES, WORDS
+from simkit.urdf.rules.wording import called, loss, part_of
+from simkit.xml import Element
+
+_E25, _E26, _W35 = "URDF-E25", "URDF-E26", "URDF-W35"
+_NEEDED = {
+    "inertial": {
+        "mass": '<mass value="1"/>',
+        "inertia": '<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>',
+    },
+    "visual": {"geometry": '<geometry><box size="0.1 0.1 0.1"/></geometry>'},
+    "collision": {"geometry": '<geometry><box size="0.1 0.1 0.1"/></geometry>'},
+    "joint": {"parent": '<parent link="..."/>', "child": '<child link="..."/>'},
+}
+_OTHER_SHAPES = {
+    **dict.fromkeys(("cube", "cuboid", "rectangle"), '<box size="0.1 0.1 0.1"/>'),
+    **dict.fromkeys(("ball", "circle", "ellipsoid"), '<sphere radius="0.1"/>'),
+    **dict.fromkeys(("tube", "disk", "disc", "cone"), '<cylinder radius="0.1" length="0.2"/>'),
+    "plane": '<box size="10 10 0.01"/>',
+    "capsule": "a <cylinder/> with two <sphere/>s at its ends, each in a visual or collision of its own",
+}
+
+
+def attribute_missing(sheet: Sheet) -> Iterator[Diagnostic]:
+    """An element without an attribute that it must have.
+
+    In a joint, ROS refuses the robot (`joint limit: no effort`). In a link, it loses the rest of the link and goes on: with an
+    inertia that lacks `iyz`, the mass, the visuals and the collisions of the link are gone, and check_urdf still says
+    "Successfully Parsed XML". Mind who writes values as SDF does, as text: URDF has them in attributes.
+
+    Wrong:
+
+        <mass>1.0</mass>
+        <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" izz="0.01"/>
+
+    Right:
+
+        <mass value="1.0"/>
+        <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
+    """
+    if sheet.robot is None:
+        return
+    for element, word in in_context(sheet.robot):
+        missing = missing_attributes(element, word)
+        if missing:
+            follows = loss(element)
+            names = " and ".join(missing) if len(missing) < 3 else ", ".join(missing)
+            yield sheet.find(
+                _E25,
+                follows.severity,
+                element,
+                what=f"<{shown(element.name)}> of {part_of(element)} lacks {names}",
+                remedy=wanted_text(element, word, missing),
+                here=follows.here,
+                gazebo=follows.gazebo,
+            )
+
+
+def element_missing(sheet: Sheet) -> Iterator[Diagnostic]:
+    """An element without a part that it must have.
+
+    A joint needs a parent and a child, a visual and a collision need a geometry, a geometry needs a box, cylinder, sphere or
+    mesh, an inertial needs a mass and an inertia, a robot needs a link. ROS refuses a joint without its ends; in a link it
+    loses what follows and goes on.
+
+    Wrong:
+
+        <visual>
+          <origin xyz="0 0 0.1"/>
+        </visual>
+
+    Right:
+
+        <visual>
+          <origin xyz="0 0 0.1"/>
+          <geometry><box size="0.1 0.1 0.2"/></geometry>
+        </visual>
+    """
+    if sheet.robot is None:
+        return
+    if not sheet.links:
+        yield _lacking(sheet, sheet.robot, "link", '<link name="base_link"/>')
+    for element, word in in_context(sheet.robot):
+        if word == "geometry":
+            yield from _no_shape(sheet, element)
+        if word in _NEEDED:
+            parts = meant_children(element, word)
+            for name, example in _NEEDED[word].items():
+                if not parts[name]:
+                    yield _lacking(sheet, element, name, example)
+
+
+def _lacking(sheet: Sheet, element: Element, name: str, example: str) -> Diagnostic:
+    follows = loss(element)
+    whole = called(element) if element.parent is None or element.name == "joint" else ""
+    return sheet.find(
+        _E26,
+        follows.severity,
+        element,
+        what=f"{whole or part_of(element)} has no <{name}>",
+        remedy=f"Add one, e.g. {example}.",
+        here=follows.here,
+        gazebo=follows.gazebo,
+    )
+
+
+def _no_shape(sheet: Sheet, geometry: Element) -> Iterator[Diagnostic]:
+    shape = geometry.children[0] if geometry.children else None
+    if shape is not None and (shape.name in SHAPES or meant_word(shape, SHAPES) is not None):
+        return  # misspelt ones are told of by the rule of unknown words
+    follows = loss(geometry)
+    known = "URDF knows <box>, <cylinder>, <sphere> and <mesh>."
+    what = f"the geometry of {part_of(geometry)} is empty"
+    remedy = f'{known} Write e.g. <box size="0.1 0.1 0.1"/>.'
+    if shape is not None:
+        what = f"<{shown(shape.name)}> in {part_of(geometry)} is no shape that URDF knows"
+        other = _OTHER_SHAPES.get(shape.name.lower())
+        remedy = f"{known} Take {other}." if other else known
+    yield sheet.find(
+        _E26,
+        follows.severity,
+        shape or geometry,
+        what=what,
+        remedy=remedy,
+        here=follows.here,
+        gazebo=follows.gazebo,
+    )
+
+
+def repeated_part(sheet: Sheet) -> Iterator[Diagnostic]:
+    """A part that may stand there once stands there twice.
+
+    Only the first one counts, and nothing is said. A second visual or collision is fine; a second origin, geometry, inertial,
+    axis, parent or child is not. Mostly a `</visual>` and a new `<visual>` are missing between the two.
+
+    Wrong:
+
+        <visual>
+          <geometry><box size="0.1 0.1 0.1"/></geometry>
+          <geometry><sphere radius="0.1"/></geometry>
+        </visual>
+
+    Right:
+
+        <visual>
+          <geometry><box size="0.1 0.1 0.1"/></geometry>
+        </visual>
+        <visual>
+          <geometry><sphere radius="0.1"/></geometry>
+        </visual>
+    """
+    if sheet.robot is None:
+        return
+    for element, word in in_context(sheet.robot):
+        for name, found in meant_children(element, word).items():
+            if len(found) > 1 and name not in WORDS[word].many:
+                yield _repeated(sheet, name, found[1], found[0])
+        shapes = element.children if word == "geometry" else []
+        if len(shapes) > 1 and shapes[0].name != shapes[1].name:
+            yield _repeated(sheet, "shape", shapes[1], shapes[0])
+
+
+def _repeated(sheet: Sheet, name: str, second: Element, first: Element) -> Diagnostic:
+    in_visual = name in ("geometry", "shape")
+    whole = part_of(second)
+    return sheet.find(
+        _W35,
+        Severity.WARNING,
+        second,
+        what=f"a second {name} in {whole}: only the first one counts",
+        remedy="Give it a visual or collision of its own."
+        if in_visual
+        else "Take one of them out.",
+        here="It is not looked at.",
+        gazebo="It is not looked at.",
+        related=[sheet.related(first, "this one counts")],
+    )
+
+
+RULES = (
+    Rule(
+        id=_E25,
+        title="an attribute that must be there is missing",
+        severity=Severity.ERROR,
+        look=attribute_missing,
+    ),
+    Rule(
+        id=_E26,
+        title="a part that must be there is missing, or an unknown shape",
+        severity=Severity.ERROR,
+        look=element_missing,
+    ),
+    Rule(
+        id=_W35,
+        title="a part stands there twice, and only the first one counts",
+        severity=Severity.WARNING,
+        look=repeated_part,
+    ),
+)

@@ -1,0 +1,270 @@
+"""A URDF file as the rules see it: everything in it, however faulty, with its places.
+
+`read_robot` says what urdfdom makes of a file, and has nothing to say of one that it refuses. A sheet lists what is written,
+so that each rule can look at its own matter. Misspelt words count as what they are meant to be.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
+
+from simkit.diagnostics import Diagnostic, Related, Severity
+from simkit.errors import near_names
+from simkit.urdf.rules.companion import Companion
+from simkit.urdf.rules.entries import (
+    GazeboEntry,
+    JointEntry,
+    LinkEntry,
+    MaterialEntry,
+    PluginEntry,
+    TransmissionEntry,
+)
+from simkit.urdf.rules.lost_tags import with_lost_tags
+from simkit.urdf.rules.meaning import meant_word
+from simkit.urdf.rules.reading import (
+    read_gazebo,
+    read_joint,
+    read_link,
+    read_material,
+    read_plugins,
+    read_transmission,
+)
+from simkit.urdf.rules.vocabulary import OTHER_TONGUES, WORDS
+from simkit.xml import Attribute, Document, Element, FaultKind, Span
+
+if TYPE_CHECKING:
+    from simkit.packages import PackagePath
+
+Entry = TypeVar("Entry", LinkEntry, JointEntry)
+
+MOST_FINDS = 20
+"""So many finds of one rule about one kind of element are told; of the rest, the number."""
+_MOST_NEAR = 60
+"""So often near names are looked for; it takes long, and nobody reads the hundredth."""
+_MOST_KNOWN = 1000
+
+
+@dataclass(slots=True, eq=False, kw_only=True)
+class Sheet:
+    """What a URDF file holds."""
+
+    document: Document
+    """The file."""
+    packages: PackagePath | None
+    """Where `package://` leads; None if it is not known."""
+    companions: tuple[Companion, ...]
+    """Files beside it."""
+    folder: Path
+    """Where relative names of meshes begin."""
+    robot: Element | None
+    """The `<robot>`; None if the file has none. Then all lists are empty."""
+    links: tuple[LinkEntry, ...] = ()
+    """All links, in the order of the file, also nameless ones, of one name twice, and those in a wrong place."""
+    joints: tuple[JointEntry, ...] = ()
+    """All joints, likewise."""
+    materials: tuple[MaterialEntry, ...] = ()
+    """All materials, those of the robot first."""
+    gazebo: tuple[GazeboEntry, ...] = ()
+    """All `<gazebo>` of the robot."""
+    plugins: tuple[PluginEntry, ...] = ()
+    """All plugins in them."""
+    transmissions: tuple[TransmissionEntry, ...] = ()
+    """All transmissions."""
+    link_by_name: Mapping[str, LinkEntry] = field(default_factory=dict)
+    """Links by name; of several of one name the first."""
+    joint_by_name: Mapping[str, JointEntry] = field(default_factory=dict)
+    """Joints by name; of several of one name the first."""
+    joints_below: Mapping[str, tuple[JointEntry, ...]] = field(default_factory=dict)
+    """Joints by the name of their parent link, whether or not there is such a link."""
+    joints_above: Mapping[str, tuple[JointEntry, ...]] = field(default_factory=dict)
+    """Joints by the name of their child link, whether or not there is such a link."""
+    xacro: tuple[Element, ...] = ()
+    """Elements that only xacro understands. If there are any, all lists above are empty: xacro must be run first."""
+    _mismatched: frozenset[Span | None] = frozenset()
+    _found: dict[tuple[str, str], int] = field(default_factory=dict)
+    _near_asked: int = 0
+
+    def find(
+        self,
+        rule: str,
+        severity: Severity,
+        at: Element | Attribute | Span,
+        *,
+        what: str,
+        remedy: str,
+        here: str = "",
+        gazebo: str = "",
+        element: Element | None = None,
+        related: Iterable[Related] = (),
+        companion: Companion | None = None,
+    ) -> Diagnostic:
+        """A find, with its place.
+
+        Args:
+            rule: Id of the rule.
+            severity: How bad it is.
+            at: The element whose name, the attribute whose value, or the piece of a line that is at fault.
+            what: What is wrong; no full stop.
+            remedy: What would be right.
+            here: What simkit does with it.
+            gazebo: What ROS and Gazebo do with it.
+            element: The element it is about; needed where `at` is none.
+            related: Other places.
+            companion: File that `at` lies in; the URDF if None.
+        """
+        element = at if isinstance(at, Element) else element
+        kind = (rule, "" if element is None else element.name)
+        self._found[kind] = self._found.get(kind, 0) + 1
+        is_told = self._found[kind] <= MOST_FINDS  # writing a path takes time
+        span = place(at)
+        return Diagnostic(
+            rule=rule,
+            severity=severity,
+            file=self.document.file if companion is None else companion.file,
+            span=span,
+            source=(companion or self.document).line(span.line),
+            path="" if element is None else element.path if is_told else element.name,
+            what=what,
+            here=here,
+            gazebo=gazebo,
+            remedy=remedy,
+            related=tuple(related),
+        )
+
+    def related(
+        self, at: Element | Attribute | Span, text: str, *, companion: Companion | None = None
+    ) -> Related:
+        """A second place that belongs to a find.
+
+        Args:
+            at: Where it is.
+            text: What is there.
+            companion: File that it lies in; the URDF if None.
+        """
+        span = place(at)
+        file = self.document.file if companion is None else companion.file
+        source = (companion or self.document).line(span.line)
+        return Related(file=file, span=span, text=text, source=source)
+
+    def near(self, name: str, known: Iterable[str]) -> list[str]:
+        """Up to three names of `known` that may be meant by `name`; none once it was asked very often."""
+        self._near_asked += 1
+        if self._near_asked > _MOST_NEAR or len(name) > 100:
+            return []
+        short = [one for one in known if len(one) <= 100]
+        return near_names(name, short[:_MOST_KNOWN])
+
+    def is_closed_otherwise(self, element: Element) -> bool:
+        """Whether an end tag of another name closes an element: a find about XML tells of its name already."""
+        return element.span in self._mismatched
+
+    def is_root(self, link: LinkEntry) -> bool:
+        """Whether no joint has this link as child."""
+        return link.name is not None and link.name not in self.joints_above
+
+
+def place(at: Element | Attribute | Span) -> Span:
+    """The place of something: of an element its name, of an attribute its value."""
+    if isinstance(at, Span):
+        return at
+    return at.value_span if isinstance(at, Attribute) else at.span
+
+
+def read_sheet(
+    document: Document,
+    *,
+    packages: PackagePath | None = None,
+    companions: Sequence[Companion] = (),
+    folder: Path | None = None,
+) -> Sheet:
+    """Read a file for the rules; never raises.
+
+    Args:
+        document: The URDF.
+        packages: Where `package://` leads.
+        companions: Files beside it.
+        folder: Where relative names of meshes begin; the folder of the document's file if None.
+    """
+    mismatched = [one for one in document.faults if one.kind is FaultKind.MISMATCHED_TAG]
+    empty = Sheet(
+        document=document,
+        packages=packages,
+        companions=tuple(companions),
+        folder=Path(document.file).parent if folder is None else folder,
+        robot=None,
+        _mismatched=frozenset(span for one in mismatched for span in (one.span, one.other)),
+    )
+    robot = with_lost_tags(document)
+    if robot is None or meant_word(robot, ("robot",)) is None:
+        return empty
+    xacro = tuple(one for one in robot.walk() if _is_for_xacro(one))
+    if xacro:
+        return replace(empty, xacro=xacro)
+    parts: dict[str, list[Element]] = {word: [] for word in WORDS["robot"].children}
+    for word, element in _parts(robot):
+        parts[word].append(element)
+    links = tuple(read_link(one) for one in parts["link"])
+    joints = tuple(read_joint(one) for one in parts["joint"])
+    gazebo = tuple(read_gazebo(one) for one in parts["gazebo"])
+    return replace(
+        empty,
+        robot=robot,
+        links=links,
+        joints=joints,
+        materials=_materials(parts["material"], links),
+        gazebo=gazebo,
+        plugins=tuple(plugin for block in gazebo for plugin in read_plugins(block)),
+        transmissions=tuple(read_transmission(one) for one in parts["transmission"]),
+        link_by_name={name: same[0] for name, same in _grouped(links, _name).items()},
+        joint_by_name={name: same[0] for name, same in _grouped(joints, _name).items()},
+        joints_below=_grouped(joints, lambda joint: joint.parent),
+        joints_above=_grouped(joints, lambda joint: joint.child),
+    )
+
+
+def _is_for_xacro(element: Element) -> bool:
+    values = (attribute.value for attribute in element.attributes)
+    return element.name.startswith("xacro:") or any("${" in value for value in values)
+
+
+def _parts(robot: Element) -> Iterator[tuple[str, Element]]:
+    """What the robot consists of, by word: what stands in it, and links and joints in a wrong place below."""
+    words = WORDS["robot"].children
+    waiting = list(reversed(robot.children))
+    while waiting:
+        element = waiting.pop()
+        is_part = element.parent is robot
+        word = meant_word(element, words) if is_part else element.name
+        if word is not None and (is_part or word in ("link", "joint")):
+            yield word, element
+        if word not in OTHER_TONGUES:
+            waiting.extend(reversed(element.children))
+
+
+def _materials(
+    elements: Iterable[Element], links: Iterable[LinkEntry]
+) -> tuple[MaterialEntry, ...]:
+    found = [read_material(one, is_global=True) for one in elements]
+    for link in links:
+        for visual in link.visuals:
+            if visual.material_element is not None:
+                found.append(read_material(visual.material_element, is_global=False))
+    return tuple(found)
+
+
+def _name(entry: LinkEntry | JointEntry) -> str | None:
+    return entry.name
+
+
+def _grouped(
+    entries: Iterable[Entry], key: Callable[[Entry], str | None]
+) -> dict[str, tuple[Entry, ...]]:
+    found: dict[str, list[Entry]] = {}
+    for entry in entries:
+        name = key(entry)
+        if name is not None:
+            found.setdefault(name, []).append(entry)
+    return {name: tuple(same) for name, same in found.items()}

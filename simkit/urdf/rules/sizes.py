@@ -1,0 +1,143 @@
+"""The rule about sizes of shapes, and other numbers that must not be negative."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.model import Box, Cylinder, Geometry, Mesh, Sphere
+from simkit.urdf.rules.entries import BodyEntry, JointEntry
+from simkit.urdf.rules.meaning import meant_attribute
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.values import number_text, numbers_text, read_number
+from simkit.urdf.rules.wording import called, part_of
+from simkit.xml import Attribute, Element
+
+_E31 = "URDF-E31"
+_HUGE = 20.0
+"Robots are smaller; a ground plane may be as large [m]."
+
+
+def bad_size(sheet: Sheet) -> Iterator[Diagnostic]:
+    """A size that is negative or zero, or far too large; damping or friction below zero.
+
+    ROS accepts it. RViz draws nothing, or the inside of the shape; Gazebo refuses the shape or falls over it. Sizes are lengths
+    of edges, radii and lengths in metres: who writes 50 gets a wheel of 50 m, and perhaps meant millimetres.
+
+    Wrong:
+
+        <cylinder radius="50" length="-0.05"/>
+
+    Right:
+
+        <cylinder radius="0.05" length="0.05"/>
+    """
+    for link in sheet.links:
+        for body in (*link.visuals, *link.collisions):
+            yield from _of_shape(sheet, body)
+    for joint in sheet.joints:
+        yield from _of_dynamics(sheet, joint)
+
+
+def _of_shape(sheet: Sheet, body: BodyEntry) -> Iterator[Diagnostic]:
+    element, shape = body.shape_element, body.shape
+    if element is None or shape is None:
+        return
+    for name, context, numbers in _sizes(shape):
+        attribute = meant_attribute(element, name, context)
+        if attribute is None:
+            continue
+        if min(numbers) < 0.0 and context != "mesh":
+            yield _negative(sheet, element, attribute, numbers)
+        elif min(map(abs, numbers)) == 0.0:
+            yield _zero(sheet, element, attribute)
+        elif max(numbers) > _HUGE and context != "mesh":
+            yield _large(sheet, element, attribute, max(numbers))
+
+
+def _sizes(shape: Geometry) -> list[tuple[str, str, tuple[float, ...]]]:
+    """Each attribute with sizes, the word that it belongs to, and its numbers."""
+    match shape:
+        case Box():
+            return [("size", "box", shape.size)]
+        case Sphere():
+            return [("radius", "sphere", (shape.radius,))]
+        case Cylinder():
+            return [
+                ("radius", "cylinder", (shape.radius,)),
+                ("length", "cylinder", (shape.length,)),
+            ]
+        case Mesh():
+            return [("scale", "mesh", shape.scale)]
+
+
+def _negative(
+    sheet: Sheet, element: Element, attribute: Attribute, numbers: tuple[float, ...]
+) -> Diagnostic:
+    right = numbers_text(abs(number) for number in numbers)
+    return sheet.find(
+        _E31,
+        Severity.ERROR,
+        attribute,
+        element=element,
+        what=f"{attribute.name} {numbers_text(numbers)} in {part_of(element)} is negative",
+        remedy=f'Write {attribute.name}="{right}". To move the shape, use <origin xyz="..."/>.',
+        here="The shape is left out of the picture and of the physics.",
+        gazebo="ROS accepts it; RViz draws the shape inside out, Gazebo has no such shape.",
+    )
+
+
+def _zero(sheet: Sheet, element: Element, attribute: Attribute) -> Diagnostic:
+    right = "0.1 0.1 0.1" if attribute.name == "size" else "0.1"
+    right = "1 1 1" if attribute.name == "scale" else right
+    return sheet.find(
+        _E31,
+        Severity.WARNING,
+        attribute,
+        element=element,
+        what=f"{attribute.name}={attribute.value!r} in {part_of(element)} is zero: the shape has no volume",
+        remedy=f'Give it a size, e.g. {attribute.name}="{right}" [m].',
+        here="The shape is not seen, and nothing touches it.",
+        gazebo="The shape is not seen; as a collision Gazebo refuses it, or everything falls through.",
+    )
+
+
+def _large(sheet: Sheet, element: Element, attribute: Attribute, size: float) -> Diagnostic:
+    return sheet.find(
+        _E31,
+        Severity.NOTE,
+        attribute,
+        element=element,
+        what=f"{attribute.name} {number_text(size)} in {part_of(element)} is in metres: that is large for a robot",
+        remedy=f"If millimetres are meant, write {number_text(size / 1000)}; if centimetres, {number_text(size / 100)}.",
+        here="It is taken for metres.",
+        gazebo="It is taken for metres.",
+    )
+
+
+def _of_dynamics(sheet: Sheet, joint: JointEntry) -> Iterator[Diagnostic]:
+    element = joint.dynamics_element
+    for name in ("damping", "friction") if element is not None else ():
+        attribute = None if element is None else meant_attribute(element, name, "dynamics")
+        value = None if attribute is None else read_number(attribute.value)
+        if attribute is not None and value is not None and value < 0.0:
+            yield sheet.find(
+                _E31,
+                Severity.ERROR,
+                attribute,
+                element=element,
+                what=f"{called(joint.element)} has {name} {number_text(value)}: below zero it drives the joint",
+                remedy=f'Write {name}="{number_text(-value)}".',
+                here="With physics the joint gains speed by itself.",
+                gazebo="ROS accepts it; in Gazebo the joint gains speed by itself, and the robot explodes.",
+            )
+
+
+RULES = (
+    Rule(
+        id=_E31,
+        title="a size that is negative, zero or far too large; negative damping or friction",
+        severity=Severity.ERROR,
+        look=bad_size,
+    ),
+)

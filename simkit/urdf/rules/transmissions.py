@@ -1,0 +1,245 @@
+"""Rules on ros_control: the transmissions of a URDF, and the controllers of a YAML file beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.rules.entries import TransmissionEntry
+from simkit.urdf.rules.joint_names import joint_advice, moving_joints
+from simkit.urdf.rules.meaning import nearest
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.values import shown
+from simkit.urdf.rules.wording import listed, meant, quoted
+from simkit.xml import Element
+
+CONTROL = "libgazebo_ros_control.so"
+"""The plugin that reads transmissions."""
+
+INTERFACES = ("PositionJointInterface", "VelocityJointInterface", "EffortJointInterface")
+"""Hardware interfaces that the plugin knows."""
+
+_READ_ONLY = ("JointStateInterface", "ImuSensorInterface", "ForceTorqueSensorInterface")
+"Interfaces of ros_control that Gazebo's plugin does not offer for a joint."
+_PREFIX = "hardware_interface/"
+_SIMPLE = "transmission_interface/SimpleTransmission"
+_KINDS = ("SimpleTransmission", "DifferentialTransmission", "FourBarLinkageTransmission")
+_SKIPPED = "gazebo_ros_control skips the transmission: the joint cannot be controlled."
+
+
+def three_places(sheet: Sheet) -> Iterator[Diagnostic]:
+    """The transmission, the controller and its type do not fit together.
+
+    Symptom: `Could not find joint 'hip' in 'hardware_interface::PositionJointInterface'`, `No valid hardware interface
+    element found`, and the controller does not start.
+
+    Cause: Three places must agree. The `<transmission>` names a joint of the robot and a hardware interface, inside of its
+    `<joint>`. The YAML file names the joints that a controller moves. And the type of the controller says which interface
+    it needs: `position_controllers/...` needs `PositionJointInterface`, and likewise for velocity and effort.
+
+    Remedy: The same joint, with the same interface, in all three.
+
+    Right:
+
+        <transmission name="tran0">
+          <type>transmission_interface/SimpleTransmission</type>
+          <joint name="hip">
+            <hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface>
+          </joint>
+          <actuator name="motor0"><mechanicalReduction>1</mechanicalReduction></actuator>
+        </transmission>
+
+        arm_controller:
+          type: position_controllers/JointTrajectoryController
+          joints: [hip]
+    """
+    moving, bad = moving_joints(sheet), _severity(sheet)
+    for transmission in sheet.transmissions:
+        yield from _part_faults(sheet, transmission, bad)
+        for joint in transmission.joints:
+            yield from _joint_faults(sheet, joint, moving, bad)
+            yield from _interface_faults(sheet, transmission, joint, bad)
+    if sheet.companions:
+        from simkit.urdf.rules.controllers import controller_faults  # most calls have no YAML
+
+        yield from controller_faults(sheet, offered_interfaces(sheet))
+
+
+def control_plugin(sheet: Sheet) -> Iterator[Diagnostic]:
+    """Transmissions, but nothing in the simulation that reads them.
+
+    Symptom: `Controller Spawner couldn't find the expected controller_manager ROS interface`.
+
+    Cause: The controller manager lives in the plugin `libgazebo_ros_control.so`, and the URDF does not load it.
+
+    Remedy: Add it, once, in a `<gazebo>` without reference.
+
+    Right:
+
+        <gazebo>
+          <plugin name="control" filename="libgazebo_ros_control.so"/>
+        </gazebo>
+    """
+    plugins = [plugin for plugin in sheet.plugins if plugin.filename and "ros_control" in plugin.filename]  # fmt: skip
+    if sheet.transmissions and not plugins:
+        first = sheet.transmissions[0].element
+        yield sheet.find(
+            "CTL-E02",
+            Severity.WARNING if sheet.gazebo or sheet.companions else Severity.NOTE,
+            first,
+            what=f"{len(sheet.transmissions)} transmission{'s' if len(sheet.transmissions) > 1 else ''}, and no plugin {CONTROL}",
+            here="No controller manager is started: the joints cannot be commanded.",
+            gazebo="No controller manager is started: the spawner waits, and gives up.",
+            remedy=f'Add <gazebo><plugin name="control" filename="{CONTROL}"/></gazebo>.',
+        )
+    elif plugins and not sheet.transmissions and moving_joints(sheet):
+        yield sheet.find(
+            "CTL-E02",
+            Severity.WARNING,
+            plugins[0].element,
+            what=f"the plugin {CONTROL}, and no <transmission> that says which joints it may move",
+            here="The controller manager starts and has no joints.",
+            gazebo="The controller manager starts and has no joints.",
+            remedy=f"Add a <transmission> for each joint that is to be controlled: {listed(moving_joints(sheet))}.",
+        )
+
+
+def offered_interfaces(sheet: Sheet) -> dict[str, str | None]:
+    """The first interface of each joint in the transmissions, without prefix; None if it has none."""
+    found: dict[str, str | None] = {}
+    for transmission in sheet.transmissions:
+        for joint in transmission.joints:
+            name, element = joint.get("name"), joint.child("hardwareInterface")
+            text = None if element is None else element.text.strip().removeprefix(_PREFIX)
+            if name:
+                found.setdefault(name, text)
+    return found
+
+
+def _severity(sheet: Sheet) -> Severity:
+    """Errors only where something in these files reads the transmissions; they may be for a real robot."""
+    is_read = sheet.companions or any(
+        "ros_control" in (one.filename or "") for one in sheet.plugins
+    )
+    return Severity.ERROR if is_read else Severity.WARNING
+
+
+def _part_faults(sheet: Sheet, entry: TransmissionEntry, bad: Severity) -> Iterator[Diagnostic]:
+    missing = []
+    if not entry.name:
+        missing.append('the attribute name="..."')
+    if not entry.type:
+        missing.append(f"<type>{_SIMPLE}</type>")
+    if not entry.joints:
+        missing.append('<joint name="..."> with a <hardwareInterface>')
+    if not entry.actuators:
+        missing.append('<actuator name="...">')
+    if missing:
+        yield sheet.find(
+            "CTL-E01",
+            bad,
+            entry.element,
+            what=f"the transmission {quoted(entry.name)} lacks {' and '.join(missing)}",
+            here=_SKIPPED.replace("gazebo_ros_control", "simkit"),
+            gazebo=_SKIPPED,
+            remedy=f"Add {' and '.join(missing)}.",
+        )
+    kind = entry.type or _SIMPLE
+    name = kind.rpartition("/")[2]
+    if name not in _KINDS and nearest(name, _KINDS) is not None:
+        element = entry.element.child("type") or entry.element
+        yield sheet.find(
+            "CTL-E01",
+            Severity.NOTE,
+            element.text_span or element,
+            element=element,
+            what=f"there is no transmission of type {quoted(kind)}",
+            here="simkit does not look at the type, as Gazebo.",
+            gazebo="Gazebo does not look at the type; a real robot would.",
+            remedy=f"Write {_SIMPLE}.",
+        )
+
+
+def _joint_faults(
+    sheet: Sheet, joint: Element, moving: list[str], bad: Severity
+) -> Iterator[Diagnostic]:
+    name = joint.get("name")
+    entry = sheet.joint_by_name.get(name or "")
+    if entry is not None and entry.type != "fixed":
+        return
+    what = f"the transmission is for {quoted(name)}, and there is no such joint"
+    if entry is not None:
+        what = f"the transmission is for {quoted(name)}, a fixed joint"
+    advice = "Leave out the transmission, or give the joint a type that moves."
+    yield sheet.find(
+        "CTL-E01",
+        bad,
+        joint.attribute("name") or joint,
+        element=joint,
+        what=what,
+        here="simkit leaves out the transmission.",
+        gazebo="gazebo_ros_control says: This robot has a joint which is not in the gazebo model; no controller can use it.",
+        remedy=joint_advice(sheet, name or "", moving) if entry is None else advice,
+    )
+
+
+def _interface_faults(
+    sheet: Sheet, transmission: TransmissionEntry, joint: Element, bad: Severity
+) -> Iterator[Diagnostic]:
+    element = joint.child("hardwareInterface")
+    if element is None:
+        below = any(one.child("hardwareInterface") for one in transmission.actuators)
+        where = ": it stands only in the <actuator>" if below else ""
+        yield sheet.find(
+            "CTL-E01",
+            bad,
+            joint,
+            what=f"the joint {quoted(joint.get('name'))} of the transmission has no <hardwareInterface>{where}",
+            here=_SKIPPED.replace("gazebo_ros_control", "simkit"),
+            gazebo=f"No valid hardware interface element found: {_SKIPPED}",
+            remedy=f"Add <hardwareInterface>{_PREFIX}{INTERFACES[0]}</hardwareInterface> to this <joint>.",
+        )
+        return
+    text = element.text.strip()
+    bare = text.removeprefix(_PREFIX)
+    if bare not in INTERFACES:
+        near = nearest(bare, INTERFACES)
+        yield sheet.find(
+            "CTL-E01",
+            Severity.WARNING if bare in _READ_ONLY else bad,
+            element.text_span or element,
+            element=element,
+            what=f"there is no hardware interface {quoted(text)}",
+            here="simkit refuses to control the joint.",
+            gazebo="gazebo_ros_control stops: No matching hardware interface found.",
+            remedy=meant([_PREFIX + near]).strip()
+            if near
+            else f"There are: {listed((_PREFIX + one for one in INTERFACES), 3)}.",
+        )
+    elif bare == text:
+        yield sheet.find(
+            "CTL-E01",
+            Severity.NOTE,
+            element.text_span or element,
+            element=element,
+            what=f"the interface {quoted(text)} is written in the old way",
+            here="simkit takes it.",
+            gazebo="gazebo_ros_control takes it, and says: Deprecated syntax.",
+            remedy=f"Write {_PREFIX}{shown(text)}.",
+        )
+
+
+RULES = (
+    Rule(
+        id="CTL-E01",
+        title="transmission, controller and type that do not fit",
+        severity=Severity.ERROR,
+        look=three_places,
+    ),
+    Rule(
+        id="CTL-E02",
+        title="transmissions, but no plugin that reads them",
+        severity=Severity.WARNING,
+        look=control_plugin,
+    ),
+)

@@ -1,0 +1,147 @@
+"""Rules about the file as a whole: not a URDF at all, of another version, or one for xacro."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.values import shown
+from simkit.urdf.rules.wording import refusal
+
+_E27, _E28, _E29 = "URDF-E27", "URDF-E28", "URDF-E29"
+_SDF = "This is SDF, Gazebo's other language. Spawn it with spawn_model -sdf, or write it anew as URDF."
+_OTHER_FILES = {
+    **dict.fromkeys(("sdf", "gazebo", "world", "model"), _SDF),
+    "launch": "This is a launch file: start it with roslaunch, and check the URDF that it loads.",
+    "package": "This is the package.xml of a package; its URDF files mostly lie in a folder urdf/.",
+    "mujoco": "This is a model for MuJoCo, another simulator.",
+    "html": "This is a web page: download the file itself (on GitHub: Raw).",
+    "COLLADA": 'This is a mesh; a URDF names it in <mesh filename="..."/>.',
+}
+
+
+def no_robot(sheet: Sheet) -> Iterator[Diagnostic]:
+    """The outermost element is not `<robot>`.
+
+    ROS says `Could not find the 'robot' element in the xml file`. Either the file is something else (a world, a launch file),
+    or the word is written in another way; it stands in small letters.
+
+    Wrong:
+
+        <Robot name="my_robot">
+
+    Right:
+
+        <robot name="my_robot">
+    """
+    root = sheet.document.root
+    if root is None or root.name == "robot" or sheet.is_closed_otherwise(root):
+        return
+    inner = root.child("robot")
+    remedy = _OTHER_FILES.get(
+        root.name, 'A URDF is one <robot name="..."> with links and joints in it.'
+    )
+    if sheet.robot is not None:
+        remedy = "Write <robot>, in small letters."
+    elif inner is not None:
+        remedy = f"Take <{shown(root.name)}> out: the <robot> in line {inner.span.line} must be outermost."
+    yield sheet.find(
+        _E27,
+        Severity.ERROR,
+        root,
+        what=f"the outermost element is <{shown(root.name)}>, not <robot>",
+        remedy=remedy,
+        here=refusal().here,
+        gazebo=refusal().gazebo,
+    )
+
+
+def bad_version(sheet: Sheet) -> Iterator[Diagnostic]:
+    """A version other than 1.0.
+
+    ROS says `Invalid 'version' specified; only version 1.0 is currently supported`. The attribute is not the version of your
+    robot but that of the language URDF, and there is only one. Leave it out.
+
+    Wrong:
+
+        <robot name="my_robot" version="2.1">
+
+    Right:
+
+        <robot name="my_robot">
+    """
+    version = None if sheet.robot is None else sheet.robot.attribute("version")
+    if version is None or version.value == "1.0":
+        return
+    yield sheet.find(
+        _E28,
+        Severity.ERROR,
+        version,
+        element=sheet.robot,
+        what=f"version {shown(version.value)!r} of URDF does not exist",
+        remedy='Take the attribute out, or write version="1.0": it is the version of the language, not of your robot.',
+        here=refusal().here,
+        gazebo=refusal().gazebo,
+    )
+
+
+def unexpanded_xacro(sheet: Sheet) -> Iterator[Diagnostic]:
+    """A file for xacro, given where a URDF is needed.
+
+    Parts are missing, or numbers are said to be none. xacro is a language of macros: `xacro:macro`, `${width / 2}`. The program
+    xacro makes a URDF of such a file; ROS itself reads only the result. No other rule looks at such a file.
+
+    Wrong, in a launch file:
+
+        <param name="robot_description" textfile="$(find my_robot)/urdf/my_robot.urdf.xacro"/>
+
+    Right:
+
+        <param name="robot_description" command="xacro $(find my_robot)/urdf/my_robot.urdf.xacro"/>
+    """
+    found = sheet.xacro
+    if not found:
+        return
+    element = found[0]
+    attribute = next((one for one in element.attributes if "${" in one.value), None)
+    what = (
+        f"<{shown(element.name)}>"
+        if attribute is None
+        else f'{attribute.name}="{shown(attribute.value)}"'
+    )
+    more = f", and {len(found) - 1} more such places" if len(found) > 1 else ""
+    name = sheet.document.file.rpartition("/")[2]
+    urdf = name.removesuffix(".xacro").removesuffix(".urdf") + ".urdf"
+    yield sheet.find(
+        _E29,
+        Severity.ERROR,
+        attribute or element,
+        element=element,
+        what=f"{what} is for xacro, which has not been run on this file{more}",
+        remedy=f'Make a URDF of it: xacro {shown(name)} > {shown(urdf)}; in a launch file command="xacro ...".',
+        here="No other rule looks at this file.",
+        gazebo="ROS ignores xacro's elements, and takes ${...} for a number that is none.",
+    )
+
+
+RULES = (
+    Rule(
+        id=_E27,
+        title="the outermost element is not <robot>",
+        severity=Severity.ERROR,
+        look=no_robot,
+    ),
+    Rule(
+        id=_E28,
+        title="a version of URDF that does not exist",
+        severity=Severity.ERROR,
+        look=bad_version,
+    ),
+    Rule(
+        id=_E29,
+        title="a file for xacro, which has not been run on it",
+        severity=Severity.ERROR,
+        look=unexpanded_xacro,
+    ),
+)

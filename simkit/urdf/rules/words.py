@@ -1,0 +1,160 @@
+"""The rule about elements and attributes that URDF does not know."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.rules.grammar import in_context
+from simkit.urdf.rules.meaning import meant_attribute, meant_word, nearest
+from simkit.urdf.rules.misplaced import advice
+from simkit.urdf.rules.missing import missing_attributes
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.values import shown
+from simkit.urdf.rules.vocabulary import SHAPES, WORDS
+from simkit.urdf.rules.wording import loss, part_of
+from simkit.xml import Attribute, Element
+
+_W17 = "URDF-W17"
+_SILENT = "ROS and Gazebo ignore it without a word."
+_NEEDED = ("parent", "child", "geometry", "mass", "inertia", "link", "joint", *SHAPES)
+"Without these ROS refuses the file, or loses a part of it."
+_SEVERITIES = {"link": Severity.ERROR, "joint": Severity.ERROR, "contact": Severity.NOTE}
+"What is lost with a link or joint in the wrong place is much; `<contact>` is Bullet's, and meant so."
+
+
+def unknown_word(sheet: Sheet) -> Iterator[Diagnostic]:
+    """An element or attribute that URDF does not know.
+
+    The setting has no effect, and nobody says so: ROS ignores what it does not know. Some are slips of the pen (`<inertail>`).
+    Some are words of SDF, the other language of Gazebo (`<pose>`, `<surface>`): in a URDF such settings stand in a `<gazebo>`
+    or have other names. Some stand in the wrong place: a colour in a collision, `<mass>` outside of `<inertial>`.
+
+    Wrong:
+
+        <joint name="wheel_joint" type="continuous">
+          <joint_properties damping="0.1" friction="0.1"/>
+
+    Right:
+
+        <joint name="wheel_joint" type="continuous">
+          <dynamics damping="0.1" friction="0.1"/>
+    """
+    if sheet.robot is None:
+        return
+    for element, word in in_context(sheet.robot):
+        for child in element.children:
+            yield from _unknown_element(sheet, child, word)
+        for attribute in element.attributes:
+            yield from _unknown_attribute(sheet, element, attribute, word)
+
+
+def _unknown_element(sheet: Sheet, element: Element, context: str) -> Iterator[Diagnostic]:
+    words = WORDS[context].children
+    if element.name in words or ":" in element.name or _is_told_elsewhere(element, context):
+        return
+    if sheet.is_closed_otherwise(element):
+        return
+    near = meant_word(element, words)
+    name = shown(element.name)
+    if near is not None:
+        severity = Severity.ERROR
+        what = f"<{name}> in {_where(element)} is no word of URDF"
+        remedy = f"Did you mean <{near}>?"
+    else:
+        severity = _SEVERITIES.get(element.name, Severity.WARNING)
+        may = (
+            f"In <{context}> may stand: {', '.join(words)}."
+            if words
+            else f"<{context}> holds no elements."
+        )
+        known = element.name in WORDS
+        what = (
+            f"<{name}> may not stand in {_where(element)}"
+            if known
+            else f"<{name}> in {_where(element)} is no word of URDF"
+        )
+        remedy = advice(element, context) or f"Take it out. {may}"
+    lost = near in _NEEDED and context != "robot"
+    follows = loss(element.parent or element) if lost else None
+    yield sheet.find(
+        _W17,
+        severity,
+        element,
+        what=what,
+        remedy=remedy,
+        here=follows.here if follows else "simkit ignores it, too.",
+        gazebo=follows.gazebo if follows else _silence(near),
+    )
+
+
+def _silence(near: str | None) -> str:
+    return f"{_SILENT[:-1]}, as if there were no <{near}>." if near else _SILENT
+
+
+def _where(element: Element) -> str:
+    parent = element.parent
+    if parent is None or parent.parent is None:
+        return "the robot"
+    word = nearest(parent.name, ("link", "joint", "inertial", "visual", "collision"))
+    return part_of(parent) if word else f"<{shown(parent.name)}> of {part_of(parent)}"
+
+
+def _is_told_elsewhere(element: Element, context: str) -> bool:
+    """Whether the rule of missing parts, or that of missing attributes, has more to say of it."""
+    parent = element.parent
+    if context == "geometry":
+        return meant_word(element, SHAPES) is None
+    return parent is not None and element.name in missing_attributes(parent, context)
+
+
+def _unknown_attribute(
+    sheet: Sheet, element: Element, attribute: Attribute, context: str
+) -> Iterator[Diagnostic]:
+    word = WORDS[context]
+    name = attribute.name
+    if name in word.attributes or ":" in name or name == "xmlns":
+        return
+    if name == "diameter" and "radius" in missing_attributes(element, context):
+        return
+    meant = next(
+        (one for one in word.attributes if meant_attribute(element, one, context) is attribute),
+        None,
+    )
+    severity = Severity.ERROR if meant in word.required else Severity.WARNING
+    follows = loss(element) if severity is Severity.ERROR else None
+    yield sheet.find(
+        _W17,
+        severity,
+        attribute.name_span,
+        element=element,
+        what=f"<{shown(element.name)}> of {part_of(element)} has no attribute {shown(name)!r}",
+        remedy=f'Did you mean {meant}="{shown(attribute.value)}"?'
+        if meant
+        else _advice(name, context),
+        here=follows.here if follows else "simkit ignores it, too.",
+        gazebo=follows.gazebo if follows else _SILENT,
+    )
+
+
+def _advice(name: str, context: str) -> str:
+    if (context, name) == ("axis", "rpy"):
+        return 'An axis has only xyz; to turn it, turn the joint: <origin rpy="..."/>. Take it out.'
+    if context == "inertia" and name in ("iyx", "izx", "izy"):
+        return f"The tensor is symmetric: {name} is {name[0]}{name[2]}{name[1]}. Take it out."
+    known = WORDS[context].attributes
+    return (
+        f"Take it out. <{context}> may have: {', '.join(known)}."
+        if known
+        else f"Take it out: <{context}> has no attributes."
+    )
+
+
+RULES = (
+    Rule(
+        id=_W17,
+        title="an element or attribute that URDF does not know there",
+        severity=Severity.ERROR,
+        look=unknown_word,
+    ),
+)

@@ -1,0 +1,100 @@
+"""The rule about XML that is not well-formed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.urdfdom.tinyxml import TinyXmlError, parse_tiny
+from simkit.xml import Fault, FaultKind
+
+_E01 = "URDF-E01"
+_REFUSED = "ROS refuses the file, and names no line or the wrong one."
+_ONLY_EXPAT = (
+    "check_urdf and robot_state_publisher accept it; joint_state_publisher and spawn_model, which are written in Python, "
+    "refuse the file."
+)
+_NOT_LOADED = "The rest of the file is checked, too; the robot is not loaded."
+_LOADED = "simkit takes it as ROS does."
+_OTHER_PLACE = {
+    FaultKind.MISMATCHED_TAG: "this element is open",
+    FaultKind.UNCLOSED: "this end tag comes too early",
+    FaultKind.STRAY_END: "it is closed here already",
+    FaultKind.DUPLICATE_ATTRIBUTE: "the first one",
+    FaultKind.DECLARATION: "this stands before it",
+    FaultKind.SECOND_ROOT: "the first root",
+}
+
+
+def malformed(sheet: Sheet) -> Iterator[Diagnostic]:
+    """The file is no well-formed XML.
+
+    Nothing loads, and the line that is named is mostly not the one that is wrong: a parser notices a missing `</visual>` only
+    where the link ends. Each element that is opened must be closed, the inner one first; each attribute stands once in a tag,
+    in quotation marks; `<?xml ...?>`, if it is there, is the very first thing in the file. Editors that know XML show the
+    partner of a tag.
+
+    Wrong:
+
+        <visual>
+          <geometry><box size="1 1 1"/></geometry>
+        </link>
+
+    Right:
+
+        <visual>
+          <geometry><box size="1 1 1"/></geometry>
+        </visual>
+    """
+    faults = sheet.document.faults
+    is_loaded = bool(faults) and _is_accepted(sheet)
+    for fault in faults:
+        yield _told(sheet, fault, is_loaded=is_loaded)
+
+
+def _is_accepted(sheet: Sheet) -> bool:
+    """Whether TinyXML, which ROS reads URDFs with, puts up with the faults."""
+    try:
+        parse_tiny(sheet.document.text.encode("utf-8", "surrogatepass"))
+    except TinyXmlError:
+        return False
+    return True
+
+
+def _told(sheet: Sheet, fault: Fault, *, is_loaded: bool) -> Diagnostic:
+    related = []
+    if fault.other is not None and fault.other != fault.span:
+        text = _OTHER_PLACE.get(fault.kind, "this belongs to it")
+        related.append(sheet.related(fault.other, text))
+    return sheet.find(
+        _E01,
+        Severity.NOTE if _is_blank_line(sheet, fault) else Severity.ERROR,
+        fault.span,
+        what=fault.what,
+        remedy=_sentence(fault.remedy),
+        here=_LOADED if is_loaded else _NOT_LOADED,
+        gazebo=_ONLY_EXPAT if is_loaded else _REFUSED,
+        related=related,
+    )
+
+
+def _is_blank_line(sheet: Sheet, fault: Fault) -> bool:
+    """Whether nothing but white space stands before `<?xml`."""
+    before, mark, _ = sheet.document.text.partition("<?xml")
+    return fault.kind is FaultKind.DECLARATION and bool(mark) and not before.strip("\ufeff \n\t\r")
+
+
+def _sentence(text: str) -> str:
+    text = text[:1].upper() + text[1:]
+    return text if text.endswith((".", "?", "!")) else f"{text}."
+
+
+RULES = (
+    Rule(
+        id=_E01,
+        title="not well-formed XML",
+        severity=Severity.ERROR,
+        look=malformed,
+    ),
+)

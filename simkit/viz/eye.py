@@ -1,0 +1,126 @@
+"""Draws surfaces and lines in space as a camera sees them."""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simkit.tf.transform import Vector
+from simkit.viz import scene_style as style
+from simkit.viz.camera import NEAR, Camera, focal_length
+from simkit.viz.drawing import Point
+from simkit.viz.raster import Array, Layer, Paint
+from simkit.viz.solid import Color
+from simkit.viz.surfaces import Surface
+
+Pixels: TypeAlias = NDArray[np.uint8]
+
+
+class Eye:
+    """A camera with a light beside it, and a picture that grows.
+
+    Args:
+        camera: Where it is.
+        size: Width and height of the picture [px].
+        fineness: Pixels that are computed for one of the picture, in each direction.
+        rows: First row of computed pixels, and the one behind the last: a band of the picture.
+
+    Attributes:
+        solid: What is drawn so far and hides what is behind it.
+        paint: Red, green, blue, each times the opacity, and the opacity; shape (height, width, 4).
+    """
+
+    def __init__(self, camera: Camera, size: Point, fineness: int, rows: tuple[int, int]) -> None:
+        self._width, self._height = round(size[0] * fineness), rows[1] - rows[0]
+        self._middle = (self._width / 2, round(size[1] * fineness) / 2 - rows[0])
+        self._focal = focal_length(size) * fineness
+        self._camera = camera
+        self._basis, self._target = np.array(camera.basis), np.array(camera.target)
+        light = np.array(style.LIGHT) @ self._basis
+        self._light = light / np.linalg.norm(light)
+        self.solid = Layer(self._width, self._height)
+        self.paint: Paint = np.zeros((self._height, self._width, 4), np.float32)
+
+    def layer(self) -> Layer:
+        """An empty picture of the same size."""
+        return Layer(self._width, self._height)
+
+    def surface(self, layer: Layer, surface: Surface, color: Color) -> None:
+        """Draw the side of a surface that faces the camera."""
+        points, nearness, shades = self._seen(surface)
+        layer.draw(points, nearness, shades[:, :, None] * np.array(color))
+
+    def line(self, layer: Layer, start: Vector, end: Vector, *, width: float, color: Color) -> None:
+        """Draw a line of a width on paper [px]."""
+        part = self._camera.clipped(self._camera.seen(start), self._camera.seen(end))
+        if part is None:
+            return
+        seen = np.array(part)
+        ends = self._on_paper(seen)
+        along = ends[1] - ends[0]
+        length = float(np.hypot(*along))
+        if length < 1e-9:
+            return
+        aside = width / 2 / length * np.array([-along[1], along[0]])
+        (a, b), (c, d) = ends + aside, ends - aside
+        near_start, near_end = 1.0 / seen[:, 2]
+        points = np.array([(a, b, c), (b, d, c)])
+        nearness = np.array([(near_start, near_end, near_start), (near_end, near_end, near_start)])
+        layer.draw(points, nearness, np.broadcast_to(np.array(color), (2, 3, 3)))
+
+    def lay(self, layer: Layer, opacity: Array) -> None:
+        """Lay a picture over what is painted; its opacity has the shape (height, width)."""
+        _lay(self.paint, layer.colors, opacity)
+
+    def lay_veil(self, surface: Surface, color: Color, alpha: float) -> None:
+        """Lay a surface that light goes through over what is painted, where nothing is before it."""
+        points, nearness, shades = self._seen(surface)
+        if not len(points):
+            return  # nothing of it faces here
+        most = (self._width, self._height)
+        left, top = np.clip(np.floor(points.min(axis=(0, 1))), 0, most).astype(int)
+        right, bottom = np.clip(np.ceil(points.max(axis=(0, 1))), 0, most).astype(int)
+        window = Layer(right - left, bottom - top)
+        window.draw(points - (left, top), nearness, shades[:, :, None] * np.array(color))
+        here = slice(top, bottom), slice(left, right)
+        is_before = window.nearness > self.solid.nearness[here]
+        _lay(self.paint[here], window.colors, np.where(is_before, alpha, 0.0))
+
+    def pixels(self, fineness: int) -> Pixels:
+        """The picture, of which each pixel is the mean of `fineness`² computed ones."""
+        steps = range(fineness)
+        parts = [self.paint[i::fineness, j::fineness] for i in steps for j in steps]
+        mean = np.add.reduce(parts) / np.float32(fineness**2)
+        opacity = mean[:, :, 3:]
+        mean[:, :, :3] /= np.where(opacity > 0.0, opacity, 1.0)
+        found: Pixels = np.round(255.0 * np.clip(mean, 0.0, 1.0)).astype(np.uint8)
+        return found
+
+    def _seen(self, surface: Surface) -> tuple[Array, Array, Array]:
+        """Corners on paper, their nearness, and how bright they are, of triangles that face here."""
+        seen = (surface.corners - self._target) @ self._basis.T
+        seen[:, :, 2] = self._camera.distance - seen[:, :, 2]
+        before = (seen[:, :, 2] > NEAR * self._camera.distance).all(axis=1)
+        seen = seen[before]
+        points = self._on_paper(seen)
+        (x1, y1), (x2, y2) = ((points[:, i] - points[:, 0]).T for i in (1, 2))
+        facing = x1 * y2 - x2 * y1 < 0.0  # counter-clockwise, on paper with y down
+        ys = points[:, :, 1]
+        facing &= (ys.max(axis=1) > 0.0) & (ys.min(axis=1) < self._height)
+        lit = np.clip(surface.normals[before][facing] @ self._light, 0.0, 1.0)
+        shades = style.AMBIENT + (1.0 - style.AMBIENT) * lit
+        return points[facing], 1.0 / seen[facing][:, :, 2], shades
+
+    def _on_paper(self, seen: Array) -> Array:
+        scale = self._focal / seen[..., 2]
+        x, y = self._middle[0] + seen[..., 0] * scale, self._middle[1] - seen[..., 1] * scale
+        return np.stack([x, y], axis=-1)
+
+
+def _lay(paint: Paint, colors: Paint, opacity: Array) -> None:
+    touched = opacity > 0.0
+    over = opacity[touched][:, None].astype(np.float32)
+    coat = np.concatenate([colors[touched] * over, over], axis=1)
+    paint[touched] = paint[touched] * (1.0 - over) + coat

@@ -1,0 +1,250 @@
+"""The window of joint_state_publisher_gui in a notebook: a slider per joint, Randomize, Center."""
+
+from __future__ import annotations
+
+import contextlib
+import html
+import math
+from collections.abc import Callable
+from typing import Any
+
+from simkit.errors import SimkitError
+from simkit.nodes.joint_state_publisher import JointStatePublisherGui, SliderJoint
+from simkit.viz.kernel_loop import KernelLoop, Later
+from simkit.viz.live_view import running_notebook
+
+STEPS = 1000
+"""Places of a slider for mouse and arrow keys; a number that is typed beside it counts exactly."""
+_ROUNDING = 1e-6
+"""So far from a place of a slider its number may be [share of a step]."""
+_SETTLED = 0.1
+"""So long after the last move the other views are drawn once more [s of wall-clock time]."""
+
+
+class JointSliders:
+    """Moves the joints of a joint_state_publisher_gui by hand.
+
+    Each move lets the simulation run until the node has told it, so that tf and the other views
+    follow. While a cell runs, a move counts at once, and time passes when the cell is done.
+
+    Where widgets cannot be shown (a plain terminal, a saved notebook without a kernel) it is a
+    table of the positions, with the line of Python that moves a joint.
+
+    Args:
+        gui: The program whose joints are moved.
+        run: Lets virtual time pass [s].
+        later: Where a run waits for its turn; the kernel's event loop if None.
+    """
+
+    def __init__(
+        self,
+        gui: JointStatePublisherGui,
+        *,
+        run: Callable[[float], None],
+        later: Later | None = None,
+    ) -> None:
+        self._gui = gui
+        self._run = run
+        self._later = later or KernelLoop()
+        self._shown: dict[str, float] = {}
+        self._sliders: dict[str, Any] = {}
+        self._readouts: dict[str, Any] = {}
+        self._buttons: tuple[Any, ...] = ()
+        self._message: Any = None
+        self._box: Any = None
+        self._is_waiting = False
+
+    @property
+    def gui(self) -> JointStatePublisherGui:
+        """The program whose joints are moved."""
+        return self._gui
+
+    @property
+    def title(self) -> str:
+        """What stands above the sliders, as in the original window."""
+        return self._gui.title
+
+    @property
+    def widget(self) -> Any:
+        """The ipywidgets box.
+
+        Raises:
+            SimkitError: ipywidgets is not installed.
+        """
+        if self._box is None:
+            self._box = self._build(_ipywidgets())
+        return self._box
+
+    def refresh(self) -> None:
+        """Show where the joints stand now."""
+        if self._box is None:
+            return
+        for joint in self._gui.joints:
+            if joint.position != self._shown.get(joint.name):
+                self._show(joint)
+        if not self._gui.alive:
+            self._say(f"{self._gui.name} has ended")
+            for control in (*self._sliders.values(), *self._buttons):
+                control.disabled = True
+
+    def set_position(self, name: str, value: float) -> None:
+        """Move a joint to this position [rad or m], and let time pass until the node has told it.
+
+        Raises:
+            UnknownNameError: No joint of that name has a slider.
+            SimkitError: The position is beyond an end of the slider.
+        """
+        self._gui.set_position(name, value)
+        self._run(self._gui.period.to_sec())
+
+    # -- what a notebook shows
+
+    def __repr__(self) -> str:
+        lines = [f"{joint.name:>12}  {_readout(joint)}" for joint in self._gui.joints]
+        return "\n".join([self.title, *(lines or ["  no joint moves"]), f"  {self._how_to()}"])
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><th>{html.escape(joint.name)}</th><td>{html.escape(_readout(joint))}</td></tr>"
+            for joint in self._gui.joints
+        )
+        return (
+            f"<b>{html.escape(self.title)}</b><table>{rows}</table>"
+            f"<small>Sliders need a running notebook. {html.escape(self._how_to())}</small>"
+        )
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        bundle: dict[str, Any] = {"text/plain": repr(self), "text/html": self._repr_html_()}
+        if running_notebook() is not None:
+            with contextlib.suppress(SimkitError):
+                bundle = {**self.widget._repr_mimebundle_(), **bundle}
+        return bundle
+
+    def _how_to(self) -> str:
+        joints = self._gui.joints
+        if not joints:
+            return "This robot has no joint to move."
+        return f'From Python: sim.joint_sliders().set_position("{joints[0].name}", 0.5)'
+
+    # -- the widgets
+
+    def _build(self, widgets: Any) -> Any:
+        rows = [self._row(widgets, joint) for joint in self._gui.joints]
+        self._message = widgets.Label(layout={"display": "none"})
+        self._buttons = (
+            self._button(widgets, "Randomize", self._gui.randomize),
+            self._button(widgets, "Center", self._gui.center),
+        )
+        title = widgets.Label(self.title, style={"font_weight": "bold"})
+        empty = [] if rows else [widgets.Label("This robot has no joint to move.")]
+        buttons = widgets.HBox(self._buttons)
+        return widgets.VBox(
+            [title, *rows, *empty, buttons, self._message],
+            layout={"border": "1px solid #bbb", "padding": "4px 8px", "width": "fit-content"},
+        )
+
+    def _row(self, widgets: Any, joint: SliderJoint) -> Any:
+        low, high = sorted((joint.lower, joint.upper))
+        slider = widgets.FloatSlider(
+            description=joint.name,
+            min=low,
+            max=high,
+            step=(high - low) / STEPS,
+            readout_format=".3f",
+            style={"description_width": "8em"},
+            layout={"width": "32em"},
+        )
+        self._sliders[joint.name] = slider
+        self._readouts[joint.name] = widgets.Label(layout={"width": "8em"})
+        self._show(joint)
+        slider.observe(lambda change: self._on_move(joint.name, change["new"]), names="value")
+        return widgets.HBox([slider, self._readouts[joint.name]])
+
+    def _button(self, widgets: Any, text: str, act: Callable[[], None]) -> Any:
+        button = widgets.Button(description=text)
+        button.on_click(lambda _: self._do(act))
+        return button
+
+    def _show(self, joint: SliderJoint) -> None:
+        slider = self._sliders[joint.name]
+        if not math.isfinite(joint.position):
+            return  # a source may say anything
+        value = min(max(joint.position, slider.min), slider.max)
+        self._shown[joint.name] = value
+        slider.value = value
+        self._readouts[joint.name].value = _unit_and_degrees(joint)
+
+    def _say(self, text: str) -> None:
+        if self._message is not None:
+            self._message.value = text
+            self._message.layout.display = None if text else "none"
+
+    # -- moves
+
+    def _on_move(self, name: str, value: float) -> None:
+        if self._is_of_this_view(name, value):
+            return
+        self._shown[name] = value
+        self._do(lambda: self._gui.set_position(name, value))
+
+    def _is_of_this_view(self, name: str, value: float) -> bool:
+        """Whether the slider stands where this view has put it, or on the place of the slider nearest to that.
+
+        A browser that draws a slider puts it on a place of its own and reports that as a move: to look at a
+        robot would move it.
+        """
+        slider, shown = self._sliders[name], self._shown.get(name)
+        if shown is None or value == shown:
+            return value == shown
+        places = (value - slider.min) / slider.step
+        is_a_place = abs(places - round(places)) < _ROUNDING
+        return is_a_place and abs(value - shown) <= (0.5 + _ROUNDING) * float(slider.step)
+
+    def _do(self, act: Callable[[], None]) -> None:
+        self._say("")
+        try:
+            act()
+        except SimkitError as error:
+            self._say(str(error))
+        for joint in self._gui.joints:
+            self._show(joint)
+        # Moves come faster than they can be shown: all that came meanwhile are one run.
+        if not self._is_waiting:
+            self._is_waiting = True
+            self._later.soon(self._advance)
+
+    def _advance(self) -> None:
+        self._is_waiting = False
+        self._let_pass(self._gui.period.to_sec())
+        self._later.after(_SETTLED, self._settle)
+        self.refresh()
+
+    def _settle(self) -> None:
+        """Draw the other views once more: they may have passed over the last of many moves."""
+        if not self._is_waiting:
+            self._let_pass(0.0)
+
+    def _let_pass(self, seconds: float) -> None:
+        try:
+            self._run(seconds)
+        except SimkitError as error:
+            self._say(str(error))
+
+
+def _ipywidgets() -> Any:
+    try:
+        import ipywidgets
+    except ImportError as error:
+        raise SimkitError("the sliders need ipywidgets: pip install ipywidgets") from error
+    return ipywidgets
+
+
+def _readout(joint: SliderJoint) -> str:
+    return f"{joint.position:.3f} {_unit_and_degrees(joint)}"
+
+
+def _unit_and_degrees(joint: SliderJoint) -> str:
+    if joint.unit != "rad":
+        return joint.unit
+    degrees = round(math.degrees(joint.position), 1) + 0.0  # no -0.0
+    return f"rad = {degrees:.1f}°"

@@ -1,0 +1,118 @@
+"""The shapes of a robot, in the colours that RViz gives them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from simkit.urdf import Box, Collision, Geometry, Link, Material, Mesh, Robot, Visual
+from simkit.urdf.kinematics import pose_transform
+from simkit.viz.letters import shortened
+from simkit.viz.mesh_file import MeshError, read_mesh
+from simkit.viz.solid import Color, Role, Solid, SolidShape, half_extents
+
+UNPAINTED: Color = (0.9, 0.1, 0.1)
+"""A visual without a material is red in RViz."""
+TOUCHED: Color = (0.55, 0.36, 0.85)
+"""Collision shapes have a colour of their own, so that nobody takes them for what is seen."""
+TOUCHED_ALPHA = 0.55
+MISSING: Color = (0.85, 0.2, 0.75)
+"""The colour of what stands for a mesh that is not there."""
+_MISSING_SIZE = 0.1
+"Side of the box that stands for a mesh [m]."
+_FAR = 1e6
+"Nothing is drawn that is larger, or further from its link [m]."
+_MOST = 2000
+"So many shapes are drawn."
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RobotShapes:
+    """What there is to draw of a robot."""
+
+    model: Robot | None = None
+    """The robot; None if there is none."""
+    links: tuple[str, ...] = ()
+    """Its links, in the order of the file."""
+    solids: tuple[Solid, ...] = ()
+    """Their shapes."""
+    notes: tuple[str, ...] = ()
+    """A sentence for each shape that is not drawn as it is written."""
+    error: str = ""
+    """Why there is no robot; empty if there is one."""
+
+
+def robot_shapes(robot: Robot, *, alpha: float = 1.0) -> RobotShapes:
+    """The visual and the collision shapes of all links.
+
+    Args:
+        robot: The robot.
+        alpha: Opacity of the whole robot, on top of that of its materials, from 0 to 1.
+
+    Source:
+        RViz' RobotModel display: the colours; a mesh that is missing is left out there, here a box stands for it.
+    """
+    notes: list[str] = []
+    solids = [s for link in robot.links.values() for s in _solids_of(link, notes)]
+    if len(solids) > _MOST:
+        notes.append(f"Only the first {_MOST} of {len(solids)} shapes are drawn.")
+    return RobotShapes(
+        model=robot,
+        links=tuple(robot.links),
+        solids=tuple(replace(s, alpha=s.alpha * alpha) for s in solids[:_MOST]),
+        notes=tuple(dict.fromkeys(notes)),
+    )
+
+
+def _solids_of(link: Link, notes: list[str]) -> Iterator[Solid]:
+    for visual in link.visuals:
+        yield from _solid(link, visual, *_paint(visual.material), notes)
+    for collision in link.collisions:
+        yield from _solid(link, collision, TOUCHED, TOUCHED_ALPHA, notes)
+
+
+def _solid(
+    link: Link, part: Visual | Collision, color: Color, alpha: float, notes: list[str]
+) -> Iterator[Solid]:
+    shape = _shape(link, part.geometry, notes)
+    if isinstance(part.geometry, Mesh) and isinstance(shape, Box):
+        color, alpha = MISSING, min(alpha, 0.6)
+    translation, rotation = pose_transform(part.origin)
+    _, half = half_extents(shape)
+    if not max(map(abs, (*translation, *half))) < _FAR or not all(map(math.isfinite, rotation)):
+        notes.append(
+            f"A shape of [{shortened(link.name, 44)}] is too large or too far away to be drawn."
+        )
+        return
+    yield Solid(
+        link=link.name,
+        role=Role.VISUAL if isinstance(part, Visual) else Role.COLLISION,
+        shape=shape,
+        translation=translation,
+        rotation=rotation,
+        color=color,
+        alpha=alpha,
+    )
+
+
+def _paint(material: Material | None) -> tuple[Color, float]:
+    if material is None or material.rgba is None:
+        return UNPAINTED, 1.0
+    red, green, blue, alpha = (min(max(value, 0.0), 1.0) for value in material.rgba)
+    return (red, green, blue), alpha
+
+
+def _shape(link: Link, geometry: Geometry, notes: list[str]) -> SolidShape:
+    if not isinstance(geometry, Mesh):
+        return geometry
+    try:
+        if geometry.path is None:
+            raise MeshError(geometry.problem or "it was not found")
+        return read_mesh(geometry.path, geometry.scale)
+    except MeshError as error:
+        notes.append(
+            f"A box of {_MISSING_SIZE:g} m stands for the mesh {shortened(geometry.filename, 80)} "
+            f"of [{shortened(link.name, 44)}]: {error}."
+        )
+    return Box((_MISSING_SIZE,) * 3)

@@ -1,0 +1,86 @@
+"""The tree of a robot as a picture: a box for each link, on the line to its parent the joint."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from simkit.errors import UnknownNameError
+from simkit.urdf.model import Robot
+from simkit.viz.drawing import Drawing
+from simkit.viz.robot_dot import robot_dot_text
+from simkit.viz.robot_sheet import draw_robot_tree
+from simkit.viz.svg import svg_text
+
+FORMATS = (".gv", ".pdf", ".png", ".svg")
+"""What `RobotTree.save` writes, by suffix."""
+
+
+class RobotTree:
+    """What `urdf_to_graphviz` draws of a URDF: links, joints, and where each joint is.
+
+    Args:
+        robot: The robot.
+
+    Source:
+        urdf_to_graphviz of urdfdom has the names and origins; type, axis and limits are ours, and so is the layout.
+    """
+
+    def __init__(self, robot: Robot) -> None:
+        self._robot = robot
+
+    def to_svg(self) -> str:
+        """The tree as an SVG document; equal robots give equal text."""
+        return svg_text(self._drawing())
+
+    def to_png(self, *, scale: float = 2.0) -> bytes:
+        """The tree as a PNG file.
+
+        Args:
+            scale: Pixels of the file per pixel of the SVG.
+        """
+        from simkit.viz.figure import png_bytes
+
+        return png_bytes(self._drawing(), scale=scale)
+
+    def to_pdf(self) -> bytes:
+        """The tree as a PDF file of one page."""
+        from simkit.viz.figure import pdf_bytes
+
+        return pdf_bytes(self._drawing())
+
+    def to_dot(self) -> str:
+        """The tree in graphviz' language, as urdf_to_graphviz writes it."""
+        return robot_dot_text(self._robot)
+
+    def save(self, path: str | Path) -> None:
+        """Write a file: `.svg`, `.pdf`, `.png` or `.gv` by its suffix.
+
+        Raises:
+            UnknownNameError: The suffix is another one.
+        """
+        path = Path(path)
+        match path.suffix.lower():
+            case ".svg":
+                _write_text(path, self.to_svg())
+            case ".gv":
+                _write_text(path, self.to_dot())
+            case ".png":
+                path.write_bytes(self.to_png())
+            case ".pdf":
+                path.write_bytes(self.to_pdf())
+            case suffix:
+                raise UnknownNameError("picture format", suffix, FORMATS)
+
+    def __repr__(self) -> str:
+        robot = self._robot
+        return f"RobotTree({robot.name}: {len(robot.links)} links, {len(robot.joints)} joints)"
+
+    def _repr_svg_(self) -> str:
+        return self.to_svg()
+
+    def _drawing(self) -> Drawing:
+        return draw_robot_tree(self._robot)
+
+
+def _write_text(path: Path, text: str) -> None:
+    path.write_text(text, encoding="utf-8", errors="backslashreplace", newline="\n")

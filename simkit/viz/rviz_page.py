@@ -1,0 +1,157 @@
+"""The HTML of a view: a picture in 3D to turn, what is wrong, and the same as numbers."""
+
+from __future__ import annotations
+
+import base64
+import math
+from collections.abc import Iterable, Sequence
+from typing import Final
+
+from simkit.tf.rotation import roll_pitch_yaw
+from simkit.viz.drawing import Point
+from simkit.viz.letters import shortened
+from simkit.viz.library import packed_library
+from simkit.viz.page import escaped, html_page
+from simkit.viz.scene import LONGEST, Scene
+from simkit.viz.scene_data import HELP, grid_note, scene_data, summary
+from simkit.viz.solid import Role
+from simkit.viz.tf_scene import FramePose
+
+TITLE: Final = "RViz"
+SCRIPTS: Final = ("rviz_camera", "rviz_names", "rviz_scene", "rviz_words", "rviz")
+"""The scripts of every view, in their order."""
+_STILL_SIZE: Final[Point] = (720.0, 450.0)
+_CREDITS = (
+    "<!-- The script below holds three.js (three.js authors), MeshCat (R. Deits), dat.GUI (Google) and others, "
+    "under the MIT, BSD and Apache licenses; see the package meshcat. -->"
+)
+
+
+def rviz_page(scene: Scene) -> str:
+    """The page of one moment."""
+    return view_page(scene, data=scene_data(scene))
+
+
+def view_page(
+    scene: Scene,
+    *,
+    data: object,
+    controls: Sequence[str] = (),
+    scripts: Sequence[str] = (),
+    connects_to: str = "",
+) -> str:
+    """A page with a scene.
+
+    Args:
+        scene: What it shows at first.
+        data: What its scripts find as JSON.
+        controls: HTML of more controls.
+        scripts: Names of more scripts, behind those of every view.
+        connects_to: The one address that it may talk to; none if empty.
+    """
+    return html_page(
+        title=TITLE,
+        name="rviz",
+        body="\n".join([*_view(scene), *controls, *_words(scene), _CREDITS, _library()]),
+        data=data,
+        scripts=(*SCRIPTS, *scripts),
+        connects_to=connects_to,
+    )
+
+
+def page_height(scene: Scene) -> int:
+    """Room that the page needs inside another [px]; what is more is scrolled."""
+    lines = min(len(scene.problems), 6) + min(len(scene.notes), 3)
+    return 510 + 45 * bool(scene.tf.error) + 22 * lines
+
+
+def _view(scene: Scene) -> list[str]:
+    shown = scene.displays
+    roles = {placed.solid.role for placed in scene.solids}
+    return [
+        '<div id="scene" tabindex="0" role="img" aria-describedby="numbers" '
+        f'aria-label="{escaped(summary(scene))} {HELP}">',
+        f'<img id="still" alt="" src="{_still(scene)}">',
+        '<canvas id="picture"></canvas><canvas id="labels"></canvas>',
+        f'<p id="scale" class="quiet">{grid_note(scene.stage)}</p>',
+        "</div>",
+        '<p id="notice" hidden><span></span> <button id="again">Draw again</button></p>',
+        "<noscript><p>Without JavaScript the picture stands still and has no names.</p></noscript>",
+        '<div class="row">',
+        '<button id="reset">Reset view</button> <button id="top">From above</button>',
+        _box("grid", "Grid", on=shown.grid),
+        _box("tf", "TF", on=shown.tf),
+        _box("names", "Names", on=True),
+        _box("visual", "Robot", on=shown.robot is Role.VISUAL, hidden=Role.VISUAL not in roles),
+        _box(
+            "collision",
+            "Collision",
+            on=shown.robot is Role.COLLISION,
+            hidden=Role.COLLISION not in roles,
+        ),
+        f'<span>Fixed Frame: <b id="fixed">{_short(scene.tf.fixed_frame)}</b></span>',
+        '<span><b class="x">x</b> <b class="y">y</b> <b class="z">z</b></span>',
+        f'<span class="quiet" title="{HELP}">drag to turn, shift-drag to move, + and - to zoom</span>',
+        "</div>",
+    ]
+
+
+def _box(name: str, words: str, *, on: bool, hidden: bool = False) -> str:
+    return (
+        f"<label{' hidden' * hidden}>"
+        f'<input type="checkbox" id="{name}"{" checked" * on}> {words}</label>'
+    )
+
+
+def _words(scene: Scene) -> list[str]:
+    error = scene.tf.error
+    return [
+        f'<p id="error" role="alert"{" hidden" * (not error)}>{escaped(error)}</p>',
+        *_list("problems", scene.problems),
+        *_list("notes", scene.notes),
+        f'<details id="table"{" hidden" * (not scene.tf.poses)}>'
+        f'<summary><span id="summary">{escaped(summary(scene))}</span> The same as numbers</summary>',
+        '<div class="wide"><table id="numbers">',
+        '<tr><th class="name">frame</th><th class="name">parent</th>',
+        *(f"<th>{head}</th>" for head in ("x [m]", "y [m]", "z [m]")),
+        *(f"<th>{head}</th>" for head in ("roll [°]", "pitch [°]", "yaw [°]")),
+        "</tr>",
+        *(_row(pose) for pose in scene.tf.poses),
+        "</table></div>",
+        "</details>",
+    ]
+
+
+def _list(name: str, lines: Iterable[str]) -> list[str]:
+    items = [f"<li>{escaped(line)}</li>" for line in lines]
+    return [f'<ul id="{name}"{" hidden" * (not items)}>', *items, "</ul>"]
+
+
+def _row(pose: FramePose) -> str:
+    names = (_short(pose.name), _short(pose.parent or ""))
+    angles = (math.degrees(angle) for angle in roll_pitch_yaw(pose.rotation))
+    values = [f"{value:.3f}" for value in pose.origin] + [f"{angle:.1f}" for angle in angles]
+    cells = [f'<td class="name">{name}</td>' for name in names]
+    cells += [f"<td>{_without_minus_zero(value)}</td>" for value in values]
+    return f"<tr>{''.join(cells)}</tr>"
+
+
+def _without_minus_zero(text: str) -> str:
+    return text.lstrip("-") if not text.strip("-0.") else text
+
+
+def _short(name: str) -> str:
+    return escaped(shortened(name, LONGEST))
+
+
+def _still(scene: Scene) -> str:
+    """The picture before the scripts run, and where they cannot draw in 3D."""
+    from simkit.viz.png_file import png_of_pixels
+    from simkit.viz.scene_raster import scene_pixels
+
+    data = png_of_pixels(scene_pixels(scene, size=_STILL_SIZE))
+    return f"data:image/png;base64,{base64.b64encode(data).decode('ascii')}"
+
+
+def _library() -> str:
+    return f'<script type="text/plain" id="library">{packed_library()}</script>'

@@ -1,0 +1,125 @@
+"""What a view showed from the first to the last message of a recording: where each frame was, over time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Final
+
+from simkit.tf import Buffer
+from simkit.viz.robot_solids import RobotShapes
+from simkit.viz.rviz_settings import RvizSettings
+from simkit.viz.scene import Scene, corners, make_scene
+from simkit.viz.stage import AXIS_SHARE, AXIS_SHARE_OF_ROBOT, stage_for
+from simkit.viz.tf_scene import FramePose, tf_scene
+from simkit.viz.thinning import Row, thinned
+from simkit.viz.transform_series import RecordedTopics
+
+STEP_NS: Final = 33_000_000
+"""The view is looked at no oftener than this [ns]."""
+_PAUSE_NS = 4 * STEP_NS
+"After a silence of this length a frame has jumped, and did not move slowly."
+_MOMENTS = 50
+"So many times of a frame are asked how much room it needs."
+_SHARE, _TURN = 0.0005, 0.0015
+"Nobody sees a frame that is off by this share of the distance, or a quaternion that is off by so much."
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RvizTape:
+    """Everything that a replay shows; times count from the first message."""
+
+    start_ns: int
+    """Virtual time of the first message [ns]."""
+    duration: float
+    """From the first to the last message [s]."""
+    scene: Scene
+    """The end, with a grid and a camera for the whole."""
+    tracks: tuple[tuple[Row, ...], ...]
+    """For each frame of the scene: time [s], x, y, z [m], quaternion xyzw; straight in between."""
+
+
+def rviz_tape(
+    recording: RecordedTopics, settings: RvizSettings, robot: RobotShapes | None
+) -> RvizTape:
+    """What RViz would have shown.
+
+    Args:
+        recording: Of /tf, and of /tf_static if there are static transforms.
+        settings: What is to be seen; its time does not matter.
+        robot: The robot; None if there is none.
+    """
+    buffer = Buffer()
+    seen: dict[str, list[Row]] = {}
+    start_ns = end_ns = 0
+    for time_ns in _played(recording, buffer):
+        start_ns = start_ns or time_ns
+        end_ns = time_ns
+        for pose in tf_scene(buffer, fixed_frame=settings.fixed_frame).poses:
+            _add(seen.setdefault(pose.name, []), (time_ns - start_ns) / 1e9, pose)
+    scene = make_scene(
+        buffer, fixed_frame=settings.fixed_frame, robot=robot, displays=settings.displays
+    )
+    scene = _with_room(scene, seen)
+    tolerances = (*[_SHARE * scene.stage.camera.distance] * 3, *[_TURN] * 4)
+    return RvizTape(
+        start_ns=start_ns,
+        duration=(end_ns - start_ns) / 1e9,
+        scene=scene,
+        tracks=tuple(tuple(thinned(seen[pose.name], tolerances)) for pose in scene.tf.poses),
+    )
+
+
+def _played(recording: RecordedTopics, buffer: Buffer) -> Iterator[int]:
+    """Fill a buffer message by message; gives the times [ns] at which to look at it."""
+    messages = list(_messages(recording))
+    looked = -STEP_NS
+    following = [*(time_ns for time_ns, _, _ in messages[1:]), -1]
+    for (time_ns, message, static), next_ns in zip(messages, following, strict=False):
+        store = buffer.set_transform_static if static else buffer.set_transform
+        transforms: Iterable[Any] = message.transforms
+        for transform in transforms:
+            store(transform, "recording")
+        if next_ns < 0 or (next_ns != time_ns and time_ns - looked >= STEP_NS):
+            looked = time_ns
+            yield time_ns
+
+
+def _messages(recording: RecordedTopics) -> list[tuple[int, Any, bool]]:
+    topics = recording.topics()
+    found = [
+        (time.to_nsec(), message, static)
+        for topic, static in (("/tf_static", True), ("/tf", False))
+        if topic in topics
+        for time, message in recording[topic]
+    ]
+    return sorted(found, key=lambda entry: entry[0])
+
+
+def _add(rows: list[Row], time: float, pose: FramePose) -> None:
+    """One more row; before it another one if the frame stood still in silence."""
+    if rows and time - rows[-1][0] > _PAUSE_NS / 1e9:
+        rows.append((time - STEP_NS / 1e9, *rows[-1][1:]))
+    rotation = pose.rotation
+    if rows and math.fsum(a * b for a, b in zip(rows[-1][4:], rotation, strict=True)) < 0.0:
+        x, y, z, w = rotation
+        rotation = (-x, -y, -z, -w)  # the same turn, without a jump of the numbers
+    rows.append((time, *pose.origin, *rotation))
+
+
+def _with_room(scene: Scene, seen: Mapping[str, Sequence[Row]]) -> Scene:
+    """The scene with a stage for everything that ever was in it."""
+    moments = {pose.name: list(_moments(pose, seen[pose.name])) for pose in scene.tf.poses}
+    points = [moment.origin for poses in moments.values() for moment in poses]
+    for placed in scene.solids:
+        for moment in moments[placed.frame.name] if placed.frame is not None else (None,):
+            points += corners(placed.solid, moment)
+    share = AXIS_SHARE_OF_ROBOT if scene.solids else AXIS_SHARE
+    return replace(scene, stage=stage_for(scene.tf, points, axis_share=share))
+
+
+def _moments(pose: FramePose, rows: Sequence[Row]) -> Iterator[FramePose]:
+    """A frame at some of its times."""
+    for _, x, y, z, *turn in rows[:: max(1, len(rows) // _MOMENTS)]:
+        yield replace(pose, origin=(x, y, z), rotation=(turn[0], turn[1], turn[2], turn[3]))

@@ -1,0 +1,76 @@
+"""The RViz of this kit: a view to turn, in a notebook or as a file, and a still picture."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from simkit.errors import UnknownNameError
+from simkit.viz.page import inline_frame
+from simkit.viz.rviz_page import TITLE, page_height, rviz_page
+from simkit.viz.scene import Scene
+from simkit.viz.scene_data import summary
+
+FORMATS = (".html", ".png")
+"""What `RvizView.save` writes, by suffix."""
+
+
+class RvizView:
+    """Frames, grid and robot at one moment; it does not change afterwards.
+
+    In a notebook it is drawn in place, to be turned by mouse, finger or arrow keys. It needs no
+    server and no network, so it also works in a file and in a saved notebook.
+
+    Args:
+        scene: What it shows.
+
+    Attributes:
+        scene: What it shows, as plain data.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+
+    @property
+    def error(self) -> str:
+        """Why no frame can be shown, in RViz' words; empty if some can."""
+        return self.scene.tf.error
+
+    @property
+    def problems(self) -> tuple[str, ...]:
+        """A sentence for each frame, link or robot that cannot be shown."""
+        return self.scene.problems
+
+    def to_html(self) -> str:
+        """The view as one HTML file; equal scenes give equal text."""
+        return rviz_page(self.scene)
+
+    def to_png(self, *, scale: int = 2) -> bytes:
+        """A still picture as a PNG file; it needs no browser.
+
+        Args:
+            scale: Pixels of the file per pixel of the page.
+        """
+        from simkit.viz.rviz_still import still_png
+
+        return still_png(self.scene, scale=scale)
+
+    def save(self, path: str | Path) -> None:
+        """Write a file: the view as `.html`, a still picture as `.png`.
+
+        Raises:
+            UnknownNameError: The suffix is another one.
+        """
+        path = Path(path)
+        match path.suffix.lower():
+            case ".html":
+                path.write_text(self.to_html(), encoding="utf-8", newline="\n")
+            case ".png":
+                path.write_bytes(self.to_png())
+            case suffix:
+                raise UnknownNameError("picture format", suffix, FORMATS)
+
+    def __repr__(self) -> str:
+        return f"RvizView({summary(self.scene)!r})"
+
+    def _repr_html_(self) -> str:
+        return inline_frame(self.to_html(), title=TITLE, height=page_height(self.scene))

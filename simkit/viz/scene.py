@@ -1,0 +1,179 @@
+"""What a view shows, as plain data: the displays Grid, TF and RobotModel of RViz, seen from a fixed frame."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from simkit.msgs import Time
+from simkit.tf import LATEST, Buffer
+from simkit.tf.rotation import multiply, rotate
+from simkit.tf.transform import IDENTITY, Quaternion, Vector
+from simkit.viz.robot_solids import RobotShapes
+from simkit.viz.scene_style import LOST_ALPHA, LOST_COLOR, rgb
+from simkit.viz.solid import Color, Role, Solid, half_extents
+from simkit.viz.stage import AXIS_SHARE, AXIS_SHARE_OF_ROBOT, Stage, stage_for
+from simkit.viz.tf_scene import FramePose, TfScene, tf_scene
+
+LONGEST = 44
+"""Letters of a name that are shown; of a longer one the middle is left out."""
+_WHITE_LINKS = "Links without a transform are white and at the origin, as in RViz."
+_CORNERS = tuple((x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Displays:
+    """Which displays are on at first; a person may turn them on and off."""
+
+    grid: bool = True
+    """The grid on the plane z = 0 of the fixed frame."""
+    tf: bool = True
+    """Axes, names and parents of the frames."""
+    robot: Role | None = Role.VISUAL
+    """Which shapes of the robot; None for none."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlacedSolid:
+    """A shape of the robot with the frame that it moves with."""
+
+    solid: Solid
+    """The shape."""
+    frame: FramePose | None
+    """The frame of its link; None if its link is the fixed frame itself, or lost."""
+    is_lost: bool
+    """Whether tf does not know where its link is: it is white, and at the origin."""
+
+    @property
+    def color(self) -> Color:
+        """The colour that it is drawn in."""
+        return rgb(LOST_COLOR) if self.is_lost else self.solid.color
+
+    @property
+    def alpha(self) -> float:
+        """The opacity that it is drawn with."""
+        return min(self.solid.alpha, LOST_ALPHA) if self.is_lost else self.solid.alpha
+
+    def pose(self) -> tuple[Vector, Quaternion]:
+        """Its origin in the fixed frame [m], and how it is turned there."""
+        return placed_in(self.frame, self.solid.translation, self.solid.rotation)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scene:
+    """Everything that is to be seen at one moment."""
+
+    tf: TfScene
+    """The frames."""
+    solids: tuple[PlacedSolid, ...]
+    """The shapes of the robot."""
+    problems: tuple[str, ...]
+    """A sentence for each frame, link or robot that cannot be shown."""
+    notes: tuple[str, ...]
+    """What else there is to know."""
+    displays: Displays
+    """What is shown at first."""
+    stage: Stage
+    """Grid and camera."""
+
+
+def make_scene(
+    buffer: Buffer,
+    *,
+    fixed_frame: str,
+    robot: RobotShapes | None = None,
+    time: Time = LATEST,
+    displays: Displays | None = None,
+    room: Sequence[Vector] = (),
+    complaint: str = "",
+) -> Scene:
+    """What RViz would show.
+
+    Args:
+        buffer: The transforms; they say where the links are, as in RViz.
+        fixed_frame: The frame that all others are seen from.
+        robot: The robot; None if there is none.
+        time: When; for each frame its own latest time if `Time(0)`.
+        displays: What is shown at first; everything that is seen if None.
+        room: Points that the robot may get to, in the frame of its root [m]; the camera sees them too.
+        complaint: A problem to be told first; empty if there is none.
+    """
+    frames = tf_scene(buffer, fixed_frame=fixed_frame, time=time)
+    robot, displays = robot or RobotShapes(), displays or Displays()
+    shapes = robot.solids if displays.robot is not None else ()
+    poses = {pose.name: pose for pose in frames.poses}
+    solids = tuple(_placed(solid, poses, fixed_frame) for solid in shapes)
+    told = [complaint] if complaint else []
+    problems = dict.fromkeys([*told, *frames.problems, *_problems(robot, poses, frames)])
+    notes = [*robot.notes, *([_WHITE_LINKS] if any(s.is_lost for s in solids) else [])]
+    return Scene(
+        tf=frames,
+        solids=solids,
+        problems=tuple(problems),
+        notes=tuple(notes),
+        displays=displays,
+        stage=stage_for(
+            frames,
+            [*_outline(solids), *_room(room, robot, poses)],
+            axis_share=AXIS_SHARE_OF_ROBOT if solids else AXIS_SHARE,
+        ),
+    )
+
+
+def _placed(solid: Solid, poses: Mapping[str, FramePose], fixed_frame: str) -> PlacedSolid:
+    frame = poses.get(solid.link)
+    # A frame seen from itself is no question, also if nobody ever broadcast it.
+    is_lost = frame is None and solid.link != fixed_frame
+    return PlacedSolid(solid=solid, frame=frame, is_lost=is_lost)
+
+
+def _problems(robot: RobotShapes, poses: Mapping[str, FramePose], tf: TfScene) -> Iterator[str]:
+    if robot.error:
+        yield robot.error
+    known = {problem.partition(":")[0] for problem in tf.problems}
+    for link in robot.links:
+        if link in poses or link == tf.fixed_frame:
+            continue
+        sentence = f"No transform from [{link}] to [{tf.fixed_frame}]"
+        if sentence in known:
+            continue
+        yield sentence + ("" if tf.error else ": no node broadcasts this link.")
+
+
+def _outline(solids: Iterable[PlacedSolid]) -> Iterator[Vector]:
+    for placed in solids:
+        yield from corners(placed.solid, placed.frame)
+
+
+def _room(
+    room: Iterable[Vector], robot: RobotShapes, poses: Mapping[str, FramePose]
+) -> Iterator[Vector]:
+    frame = poses.get(robot.model.root) if robot.model is not None else None
+    for point in room:
+        yield placed_in(frame, point, IDENTITY)[0]
+
+
+def corners(solid: Solid, frame: FramePose | None) -> Iterator[Vector]:
+    """The corners of the box around a shape, in the fixed frame [m].
+
+    Args:
+        solid: The shape.
+        frame: The frame of its link; None for the fixed frame.
+    """
+    middle, half = half_extents(solid.shape)
+    origin, turn = placed_in(frame, solid.translation, solid.rotation)
+    for signs in _CORNERS:
+        x, y, z = (m + s * h for m, s, h in zip(middle, signs, half, strict=True))
+        dx, dy, dz = rotate(turn, (x, y, z))
+        yield (origin[0] + dx, origin[1] + dy, origin[2] + dz)
+
+
+def placed_in(
+    frame: FramePose | None, translation: Vector, rotation: Quaternion
+) -> tuple[Vector, Quaternion]:
+    """A pose in a frame as a pose in the fixed frame; None is the fixed frame."""
+    if frame is None:
+        return translation, rotation
+    x, y, z = rotate(frame.rotation, translation)
+    a, b, c = frame.origin
+    return (a + x, b + y, c + z), multiply(frame.rotation, rotation)

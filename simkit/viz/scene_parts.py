@@ -1,0 +1,112 @@
+"""What a scene is made of, as lines and surfaces in space: for a picture that no browser draws."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from simkit.tf.rotation import multiply
+from simkit.tf.transform import Quaternion, Vector
+from simkit.viz import scene_style as style
+from simkit.viz.scene import PlacedSolid, Scene
+from simkit.viz.solid import Color
+from simkit.viz.stage import Stage
+from simkit.viz.surfaces import Surface, joined, surface_of, unit_cylinder
+from simkit.viz.tf_scene import FramePose
+
+_HALF = math.sqrt(0.5)
+_FROM_Z: tuple[Quaternion, ...] = (
+    (0.0, _HALF, 0.0, _HALF),
+    (-_HALF, 0.0, 0.0, _HALF),
+    (0.0, 0.0, 0.0, 1.0),
+)
+"Turns z to x, to y, to z."
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SceneParts:
+    """Everything that is drawn, by how it is drawn."""
+
+    lines: tuple[tuple[Vector, Vector, Color], ...]
+    """The grid: start, end, colour."""
+    opaque: tuple[tuple[Surface, Color], ...]
+    """Shapes that hide what is behind them."""
+    frames: tuple[tuple[Surface, Color], ...]
+    """Axes and arrows, which shine through the shapes."""
+    veils: tuple[tuple[Surface, Color, float], ...]
+    """Shapes that light goes through, with their opacity, the farthest first."""
+
+
+def scene_parts(scene: Scene) -> SceneParts:
+    """What is drawn of a scene, as its displays say."""
+    displays = scene.displays
+    shown = [placed for placed in scene.solids if placed.solid.role is displays.robot]
+    shown.sort(key=lambda placed: -scene.stage.camera.seen(placed.pose()[0])[2])
+    frames: dict[str, list[Surface]] = {}
+    if displays.tf:
+        for surface, color in _frame_surfaces(scene.tf.poses, scene.stage.axis_length):
+            frames.setdefault(color, []).append(surface)
+    return SceneParts(
+        lines=tuple(_grid(scene.stage)) if displays.grid else (),
+        opaque=tuple((_surface(s), s.color) for s in shown if s.alpha >= 1.0),
+        frames=tuple((joined(parts), style.rgb(color)) for color, parts in frames.items()),
+        veils=tuple((_surface(s), s.color, s.alpha) for s in shown if s.alpha < 1.0),
+    )
+
+
+def _grid(stage: Stage) -> Iterator[tuple[Vector, Vector, Color]]:
+    cell, (x0, x1), (y0, y1) = stage.cell, stage.grid_x, stage.grid_y
+    lines = [(x, (x * cell, y0 * cell, 0.0), (x * cell, y1 * cell, 0.0)) for x in range(x0, x1 + 1)]
+    lines += [
+        (y, (x0 * cell, y * cell, 0.0), (x1 * cell, y * cell, 0.0)) for y in range(y0, y1 + 1)
+    ]
+    for number, start, end in lines:
+        yield start, end, style.rgb(style.GRID_COLOR if number else style.ZERO_COLOR)
+
+
+def _frame_surfaces(poses: tuple[FramePose, ...], length: float) -> Iterator[tuple[Surface, str]]:
+    sides = 12 if len(poses) < 100 else 3
+    origins = {pose.name: pose.origin for pose in poses}
+    rod, cone = unit_cylinder(sides), unit_cylinder(sides, 0.0)
+    for pose in poses:
+        for axis, turn, color in zip(pose.axes, _FROM_Z, style.AXIS_COLORS, strict=True):
+            thick = style.AXIS_RADIUS * length
+            middle = _along(pose.origin, axis, length / 2)
+            yield rod.placed(middle, multiply(pose.rotation, turn), (thick, thick, length)), color
+        if pose.parent in origins:
+            yield from _arrow(rod, cone, pose.origin, origins[pose.parent], length)
+
+
+def _arrow(
+    rod: Surface, cone: Surface, start: Vector, end: Vector, length: float
+) -> Iterator[tuple[Surface, str]]:
+    """From a frame to its parent, with a head in the middle if there is room for one."""
+    way = math.dist(start, end)
+    if way < 1e-9:
+        return
+    x, y, z = ((b - a) / way for a, b in zip(start, end, strict=True))
+    turn, middle = _to((x, y, z)), _along(start, (x, y, z), way / 2)
+    thick = style.ARROW_RADIUS * length
+    yield rod.placed(middle, turn, (thick, thick, way)), style.ARROW_COLOR
+    if way > 2 * style.HEAD_LENGTH * length:
+        thick, long = style.HEAD_RADIUS * length, style.HEAD_LENGTH * length
+        yield cone.placed(middle, turn, (thick, thick, long)), style.ARROW_COLOR
+
+
+def _surface(placed: PlacedSolid) -> Surface:
+    return surface_of(placed.solid.shape).placed(*placed.pose())
+
+
+def _along(start: Vector, direction: Vector, length: float) -> Vector:
+    x, y, z = (s + length * d for s, d in zip(start, direction, strict=True))
+    return (x, y, z)
+
+
+def _to(direction: Vector) -> Quaternion:
+    """A turn that takes z to a direction of unit length."""
+    x, y, z = direction
+    if z < -0.999999:
+        return (1.0, 0.0, 0.0, 0.0)
+    norm = math.sqrt(2.0 * (1.0 + z))
+    return (-y / norm, x / norm, 0.0, norm / 2.0)

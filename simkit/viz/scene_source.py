@@ -1,0 +1,100 @@
+"""Where scenes come from: what tf and the parameters say at this moment."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from simkit.graph.params import ParameterServer
+from simkit.packages import PackagePath
+from simkit.tf import Buffer
+from simkit.tf.transform import Vector
+from simkit.viz.robot_description import described_robot
+from simkit.viz.robot_room import robot_room
+from simkit.viz.robot_solids import RobotShapes
+from simkit.viz.rviz_settings import RvizSettings
+from simkit.viz.scene import Scene, make_scene
+from simkit.viz.tf_scene import TfScene, tf_scene
+
+FIRST_FRAME: Final = "map"
+"""The fixed frame that RViz begins with; there, a person chooses another one in its window."""
+
+
+class SceneSource:
+    """Looks at a simulation; the robot is read again only when its description has changed.
+
+    Args:
+        settings: What is to be seen.
+        buffer: The transforms.
+        parameters: The parameter server, with the description of the robot.
+        packages: Where `package://` leads.
+        with_room: Whether the camera leaves room for links that turn.
+    """
+
+    def __init__(
+        self,
+        settings: RvizSettings,
+        *,
+        buffer: Buffer,
+        parameters: ParameterServer,
+        packages: PackagePath,
+        with_room: bool = False,
+    ) -> None:
+        self.settings = settings
+        self._buffer, self._parameters, self._packages = buffer, parameters, packages
+        self._with_room = with_room
+        self._described: object = ()
+        self._robot: RobotShapes | None = None
+        self._room: tuple[Vector, ...] = ()
+
+    @property
+    def fixed_frame(self) -> str:
+        """The fixed frame; where nobody has chosen one, the one of RViz or else a root."""
+        return self.settings.fixed_frame or first_frame(self._buffer)
+
+    def scene(self) -> Scene:
+        """What is to be seen now."""
+        robot = self.robot()
+        return make_scene(
+            self._buffer,
+            fixed_frame=self.fixed_frame,
+            time=self.settings.time,
+            robot=robot,
+            displays=self.settings.displays,
+            room=self._room,
+            complaint=self.settings.complaint,
+        )
+
+    def frames(self) -> TfScene:
+        """Where the frames are now; less work than a whole scene."""
+        return tf_scene(self._buffer, fixed_frame=self.fixed_frame, time=self.settings.time)
+
+    def robot(self) -> RobotShapes | None:
+        """The robot that is described now; None if there is none."""
+        if self.settings.robot_model is None:
+            return None
+        name = self.settings.description
+        described = self._parameters.get(f"/{name.lstrip('/')}", None)
+        if described != self._described:
+            self._described = described
+            self._robot = described_robot(
+                described, self._packages, name=name, alpha=self.settings.alpha
+            )
+            self._room = _room(self._robot) if self._with_room else ()
+        return self._robot
+
+
+def _room(robot: RobotShapes | None) -> tuple[Vector, ...]:
+    if robot is None or robot.model is None:
+        return ()
+    return robot_room(robot.model, robot.solids)
+
+
+def first_frame(buffer: Buffer) -> str:
+    """`map`, with which RViz begins, unless it is not there and `world` or another root is."""
+    core = buffer.core
+    known = core.frame_strings
+    for name in (FIRST_FRAME, "world"):
+        if name in known:
+            return name
+    roots = [frame for frame in known if core.parent_of(frame) is None]
+    return min(roots, default=FIRST_FRAME)

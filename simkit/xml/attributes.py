@@ -1,0 +1,243 @@
+"""Reads the attributes of a start tag; what learners do to them is told apart in `attribute_faults`."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from simkit.xml.attribute_faults import (
+    MissingQuote,
+    describe_junk,
+    doubled_quote,
+    junk_end,
+    missing_quote,
+    unquoted_value,
+)
+from simkit.xml.document import Attribute, FaultKind, Span
+from simkit.xml.letters import NAME, SPACE, WHITE, short
+from simkit.xml.pattern import Pattern
+from simkit.xml.references import replace_references
+from simkit.xml.source import Source
+
+_GOOD = Pattern(rf"{SPACE}++({NAME}){SPACE}*+={SPACE}*+(?:\"([^<&\"]*+)\"|'([^<&']*+)')")
+_SPACES = Pattern(f"{SPACE}*+")
+_NAME = Pattern(NAME)
+_EQUALS = Pattern(rf"{SPACE}*+(=[={WHITE}]*+)?")
+_QUOTED = Pattern(r"[\"']([^\"'\n<>]*+)")
+_TO_SPACE = str.maketrans("\t\n", "  ")
+
+
+@dataclass(frozen=True, slots=True)
+class _Place:
+    """Where an attribute stands: index of its name, and of its value's first letter and of the one behind it."""
+
+    name: str
+    name_at: int
+    start: int
+    end: int
+
+
+def _attribute_name(name: re.Match[str]) -> str:
+    """The name of an attribute; of `name: "x"` without the colon, which XML takes for a letter."""
+    bare = name[0].rstrip(":")
+    has_equals = _EQUALS.match(name.string, name.end())
+    return name[0] if not bare or (has_equals and has_equals[1]) else bare
+
+
+class AttributeList:
+    """The attributes of one start tag, read one by one.
+
+    Of one mistake only one fault is reported: behind a fault, further ones count only after an attribute that is right.
+
+    Args:
+        source: The text.
+        at: Index behind the tag's name.
+    """
+
+    def __init__(self, source: Source, at: int) -> None:
+        self.at = at
+        """Index of the first letter that is not read yet."""
+        self.found: dict[str, Attribute] = {}
+        """Attributes by name, in the order of the text."""
+        self._source = source
+        self._is_quiet = False
+        self._last: _Place | None = None
+
+    def after_space(self) -> int:
+        """Index of the first letter not read yet that is not white space."""
+        found = _SPACES.match(self._source.text, self.at)
+        return found.end() if found else self.at
+
+    def fault(
+        self, start: int, end: int, *, what: str, remedy: str, other: Span | None = None
+    ) -> None:
+        """Note that the tag is malformed, unless that follows from a fault right before."""
+        if not self._is_quiet:
+            self._source.fault(
+                FaultKind.MALFORMED_TAG, start, end, what=what, remedy=remedy, other=other
+            )
+        self._is_quiet = True
+
+    def read_good_ones(self) -> None:
+        """Read attributes as long as there is nothing special about them."""
+        text = self._source.text
+        match = _GOOD.of(text).match
+        while (found := match(text, self.at)) is not None:
+            name, value, other = found.groups()
+            which = 2 if other is None else 3
+            self._last = _Place(name, found.start(1), *found.span(which))
+            value = value if other is None else other
+            if "\n" in value or "\t" in value:
+                value = value.translate(_TO_SPACE)
+            self._keep(self._last, value)
+            self.at = found.end()
+            self._is_quiet = False
+
+    def get_over_fault(self) -> None:
+        """Read at least one letter of something that is no simple attribute."""
+        text, last = self._source.text, self._last
+        if last is not None and last.end + 1 == self.at:
+            self._last = None
+            if self._mend(last):
+                return
+        start = self.after_space()
+        name = _NAME.match(text, start)
+        if name is not None:
+            self._special(name, has_space=start > self.at)
+            return
+        self.at = junk_end(text, start)
+        described = describe_junk(text[start : self.at])
+        if described is not None:
+            self.fault(start, self.at, what=described[0], remedy=described[1])
+        self._is_quiet = True
+
+    def _mend(self, last: _Place) -> bool:
+        """Whether the fault lies in the attribute before, which looked right; if so it is read anew."""
+        text = self._source.text
+        doubled = doubled_quote(text, last.start) if last.start == last.end else None
+        cut = missing_quote(text, last.start, last.end)
+        if doubled is not None:
+            value = text[last.start + 1 : doubled.end]
+            self.fault(
+                last.start - 1,
+                doubled.resume,
+                what=f"the value of {short(last.name)} begins with two quotation marks",
+                remedy=f'Write {short(last.name)}="{short(value)}"',
+            )
+            self._keep(_Place(last.name, last.name_at, last.start + 1, doubled.end), value)
+            self.at = doubled.resume
+        elif cut is not None:
+            self._cut(last, cut)
+        return doubled is not None or cut is not None
+
+    def _special(self, name: re.Match[str], *, has_space: bool) -> None:
+        """An attribute with a fault, or with references in its value."""
+        text = self._source.text
+        if not has_space:
+            self.fault(
+                *name.span(),
+                what=f"there is no space before {short(name[0])}",
+                remedy=f"Write a space before {short(name[0])}.",
+            )
+        equals = _EQUALS.match(text, name.end())
+        sign = (equals[1] if equals else None) or ""
+        at = equals.end() if equals else name.end()
+        is_quoted = text[at : at + 1] in ('"', "'")
+        if sign.count("=") != 1:
+            self._not_one_equals(name, sign, at)
+        if is_quoted:
+            self._quoted(name, at)
+        elif sign:
+            self._unquoted(name, at)
+        else:
+            self.at = name.end()
+
+    def _not_one_equals(self, name: re.Match[str], sign: str, at: int) -> None:
+        shown = short(_attribute_name(name))
+        quoted = _QUOTED.match(self._source.text, at)
+        remedy = f'Write {shown}="{short(quoted[1]) if quoted else "..."}"'
+        if sign:
+            what = f"{shown} has more than one ="
+        elif self._source.text[at : at + 1] in ('"', "'"):
+            what = f"there is no = between {shown} and its value"
+        else:
+            what = f"{shown} stands here without a value"
+            remedy = f'Write {shown}="...", or delete it.'
+        self.fault(*name.span(), what=what, remedy=remedy)
+
+    def _quoted(self, name: re.Match[str], at: int) -> None:
+        """A value that begins with the quotation mark at `at`; perhaps without one at its end."""
+        source = self._source
+        end = source.find(source.text[at], at + 1)
+        self._last = place = _Place(_attribute_name(name), name.start(), at + 1, end)
+        bracket = source.text.find("<", at + 1, end) if end >= 0 else -1
+        cut = missing_quote(source.text, at + 1, end) if bracket >= 0 or end < 0 else None
+        if cut is not None:
+            self._cut(place, cut)
+            return
+        if bracket >= 0:
+            source.fault(
+                FaultKind.BAD_CHARACTER,
+                bracket,
+                bracket + 1,
+                what=f"< cannot stand in the value of {short(name[0])}",
+                remedy="Write &lt; instead.",
+            )
+        self._keep(place, replace_references(source, at + 1, end, plain=_TO_SPACE))
+        self.at = end + 1
+
+    def _cut(self, place: _Place, cut: MissingQuote) -> None:
+        """Let a value without a quotation mark at its end, the last one read, end earlier."""
+        value = self._source.text[place.start : cut.end]
+        self.fault(
+            place.start - 1,
+            cut.end,
+            what=f"the value of {short(place.name)} has no quotation mark at its end",
+            remedy=f'Write {short(place.name)}="{short(value)}"',
+        )
+        self._keep(_Place(place.name, place.name_at, place.start, cut.end), value)
+        self._last = None
+        self.at = cut.resume
+
+    def _unquoted(self, name: re.Match[str], at: int) -> None:
+        found = unquoted_value(self._source.text, at)
+        if found is None:
+            shown = short(name[0])
+            self.fault(
+                *name.span(),
+                what=f"there is no value behind {shown}=",
+                remedy=f'Write {shown}="...", or delete it.',
+            )
+            self.at = at
+            return
+        self.fault(
+            at,
+            found.end,
+            what=f"the value of {short(name[0])} {found.what}",
+            remedy=f'Write {short(name[0])}="{short(found.value)}"',
+        )
+        end = found.start + len(found.value)
+        self._keep(_Place(name[0], name.start(), found.start, end), found.value)
+        self._last = None
+        self.at = found.end
+
+    def _keep(self, place: _Place, value: str) -> None:
+        """Keep an attribute; of several of one name the first."""
+        source, name = self._source, place.name
+        name_span = source.span(place.name_at, place.name_at + len(name))
+        first = self.found.get(name)
+        if first is None or first.name_span == name_span:
+            self.found[name] = Attribute(
+                name=name,
+                value=value,
+                name_span=name_span,
+                value_span=source.span(place.start, place.end),
+            )
+            return
+        source.fault_at(
+            FaultKind.DUPLICATE_ATTRIBUTE,
+            name_span,
+            what=f'{short(name)} stands twice in this tag: "{short(first.value)}" and "{short(value)}"',
+            remedy=f"Delete one of the two {short(name)}, or rename the one that was meant to be another.",
+            other=first.name_span,
+        )

@@ -1,0 +1,178 @@
+"""What is read from an XML text: elements, attributes, and what is wrong with it, each with its place."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Span:
+    """A piece of one line."""
+
+    line: int
+    """Line, from 1."""
+    column: int
+    """First letter, from 1, counted in characters."""
+    length: int = 1
+    """Letters; at least 1, and never beyond the end of the line."""
+
+
+class FaultKind(enum.Enum):
+    """What can be wrong with an XML text."""
+
+    EMPTY = "empty"
+    """Nothing in it, or no element."""
+    ENCODING = "encoding"
+    """Bytes that are not the encoding that is declared (UTF-8 if none is)."""
+    DECLARATION = "declaration"
+    """Something before `<?xml ... ?>`, which must be the very beginning."""
+    MISMATCHED_TAG = "mismatched tag"
+    """An end tag that closes another element than the one that is open."""
+    STRAY_END = "stray end tag"
+    """An end tag, and no element of that name is open."""
+    UNCLOSED = "unclosed element"
+    """An element without an end tag."""
+    DUPLICATE_ATTRIBUTE = "duplicate attribute"
+    """The same attribute twice in one tag; the first one is kept."""
+    MALFORMED_TAG = "malformed tag"
+    """A tag that is no tag: a missing `>`, `=`, quotation mark or name."""
+    BAD_CHARACTER = "bad character"
+    """A letter that cannot stand there: `<` or `&` in a value, a control character, `--` in a comment."""
+    ENTITY = "entity"
+    """An entity that is not one of the five of XML, or a document type with definitions of its own."""
+    STRAY_TEXT = "stray text"
+    """Text outside of the root element."""
+    SECOND_ROOT = "second root"
+    """An element behind the root element."""
+    UNCLOSED_SECTION = "unclosed section"
+    """A comment, CDATA section or processing instruction without an end."""
+    TOO_DEEP = "too deep"
+    """Elements nested beyond all use; what is deeper is left out."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fault:
+    """One thing that is wrong with the text as XML."""
+
+    kind: FaultKind
+    """What kind of fault."""
+    span: Span
+    """Where it is: the culprit, not the place where a parser noticed."""
+    what: str
+    """What is wrong, in one sentence without a full stop."""
+    remedy: str
+    """What would be right."""
+    other: Span | None = None
+    """A second place that belongs to it, e.g. the start tag that is not closed."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Attribute:
+    """One attribute of a start tag."""
+
+    name: str
+    """Its name, with a prefix if there is one."""
+    value: str
+    """Its value, entities replaced, white space as in XML (each newline or tab a space)."""
+    name_span: Span
+    """Where its name stands."""
+    value_span: Span
+    """Where its value stands, without the quotation marks; of one over several lines the first one."""
+
+
+@dataclass(slots=True, eq=False, kw_only=True)
+class Element:
+    """One element."""
+
+    name: str
+    """Its name, with a prefix if there is one."""
+    span: Span
+    """Where its name stands in the start tag."""
+    attributes: tuple[Attribute, ...] = ()
+    """Its attributes in the order of the text, each name once: of duplicates the first."""
+    children: list[Element] = field(default_factory=list)
+    """The elements in it, in the order of the text."""
+    text: str = ""
+    """The text directly in it, without that of its children."""
+    text_span: Span | None = None
+    """Where the first letter of that text that is not white space stands; None if there is none."""
+    parent: Element | None = None
+    """The element it stands in; None for a root."""
+
+    def attribute(self, name: str) -> Attribute | None:
+        """The attribute of that name."""
+        return next((one for one in self.attributes if one.name == name), None)
+
+    def get(self, name: str, default: str | None = None) -> str | None:
+        """The value of the attribute of that name."""
+        found = self.attribute(name)
+        return default if found is None else found.value
+
+    def child(self, name: str) -> Element | None:
+        """The first element of that name in it."""
+        return next((one for one in self.children if one.name == name), None)
+
+    def all(self, name: str) -> list[Element]:
+        """All elements of that name directly in it."""
+        return [one for one in self.children if one.name == name]
+
+    def walk(self) -> Iterator[Element]:
+        """This element and all below it, in the order of the text."""
+        waiting = [self]
+        while waiting:
+            element = waiting.pop()
+            yield element
+            waiting.extend(reversed(element.children))
+
+    def span_of(self, attribute: str) -> Span:
+        """Where the value of an attribute stands; the element's own place if it has none."""
+        found = self.attribute(attribute)
+        return self.span if found is None else found.value_span
+
+    @property
+    def path(self) -> str:
+        """Where it is in the tree, for people: `robot/link[torso]/visual[2]/geometry`.
+
+        In brackets stands its attribute `name`, or its number (from 1) among elements of the same name and parent if there
+        are several.
+        """
+        steps: list[str] = []
+        element: Element | None = self
+        while element is not None:
+            steps.append(element._step())
+            element = element.parent
+        return "/".join(reversed(steps))
+
+    def _step(self) -> str:
+        name = self.get("name")
+        if name and self.parent is not None:
+            return f"{self.name}[{name}]"
+        twins = [] if self.parent is None else self.parent.all(self.name)
+        return f"{self.name}[{twins.index(self) + 1}]" if len(twins) > 1 else self.name
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Document:
+    """One XML text."""
+
+    file: str
+    """Name to show for it, e.g. `hello_ros/urdf/hello_ros_robot_1.urdf`."""
+    text: str
+    """The text, newlines as `\\n`."""
+    lines: tuple[str, ...]
+    """The same in lines, without the newlines."""
+    root: Element | None
+    """The first element outside of all others; None if there is none."""
+    faults: tuple[Fault, ...]
+    """What is wrong with it as XML, in the order of the text."""
+
+    @property
+    def is_well_formed(self) -> bool:
+        """Whether a strict parser would take it."""
+        return not self.faults
+
+    def line(self, number: int) -> str:
+        """A line of the text, from 1; empty beyond its end."""
+        return self.lines[number - 1] if 0 < number <= len(self.lines) else ""

@@ -1,0 +1,72 @@
+"""Which letters XML allows where, and how to speak of those that it does not.
+
+Source:
+    XML 1.0, fifth edition: 2.2 (characters), 2.3 (names; without the letters that cannot be seen).
+"""
+
+from __future__ import annotations
+
+START = (
+    ":A-Z_a-z\u00c0-\u00d6\u00d8-\u00f6\u00f8-\u02ff\u0370-\u037d\u037f-\u1fff"
+    "\u2070-\u218f\u2c00-\u2fef\u3001-\ud7ff\uf900-\ufdcf\ufdf0-\ufefe\uff00-\uffef\U00010000-\U000effff"
+)
+"""Inside of brackets: the letters that can begin a name."""
+ASCII_START = ":A-Z_a-z"
+"""The same for a text of plain letters."""
+NAME_START = f"[{START}]"
+"""Pattern of a letter that can begin a name."""
+NAME = rf"{NAME_START}[-.0-9\u00b7\u0300-\u036f\u203f-\u2040{START}]*+"
+"""Pattern of a name of an element, attribute, entity or processing instruction."""
+SPACE = "[ \t\n]"
+"""Pattern of one white space of XML; other kinds of space are letters like any other."""
+WHITE = " \t\n"
+"""The same for `strip`."""
+FOREIGN_LETTERS = "[^\t\n\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
+"""Pattern of a letter that no XML text may hold; line ends are newlines already."""
+FOREIGN_ASCII = "[^\t\n\x20-\x7f]"
+"""The same for a text of plain letters."""
+QUOTES = "\u201c\u201d\u201e\u201f\u2018\u2019\u201a\u2033\u2032\u00ab\u00bb\u00b4`"
+"""Quotation marks of books and word processors, which are none to XML."""
+
+_KNOWN = {
+    "\u00a0": "a no-break space, which only looks like a space",
+    "\u200b": "a zero-width space, which cannot be seen",
+    "\u2060": "a word joiner, which cannot be seen",
+    "\u00ad": "a soft hyphen, which cannot be seen",
+    "\ufeff": "a byte order mark, which cannot be seen",
+    "\u2013": "a dash of a word processor",
+    "\u2014": "a dash of a word processor",
+    "\ufffd": "the mark of a letter that could not be read",
+    "\x00": "a zero byte",
+    "\x1b": "an escape character",
+}
+_LONGEST = 40
+
+
+def is_foreign(letter: str) -> bool:
+    """Whether no XML text may hold a letter."""
+    code = ord(letter)
+    return (
+        (code < 0x20 and letter not in "\t\n")
+        or 0xD800 <= code < 0xE000
+        or code in (0xFFFE, 0xFFFF)
+    )
+
+
+def spoken(letter: str) -> str:
+    """A letter as a message names it: `U+00A0 (a no-break space, which only looks like a space)`."""
+    code = f"U+{ord(letter):04X}"
+    if letter in _KNOWN:
+        return f"{code} ({_KNOWN[letter]})"
+    if is_foreign(letter):
+        return f"{code} (a control character)" if letter < "\x20" else code
+    if letter in QUOTES:
+        return f"{letter} (a quotation mark of a word processor)"
+    return f"`{letter}`" if letter.isascii() or letter.isprintable() else code
+
+
+def short(text: str) -> str:
+    """A piece of the file for a message: on one line, not too long, nothing in it that moves a terminal."""
+    text = " ".join(text[: 4 * _LONGEST].split())
+    text = "".join(letter if letter.isprintable() else "\ufffd" for letter in text)
+    return text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "..."

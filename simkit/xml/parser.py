@@ -1,0 +1,43 @@
+"""Reads XML: a strict parser that says where everything stands, and goes on behind a fault to find the next ones.
+
+It is written for files that people write by hand. What is a fault is what XML 1.0 says; what a fault is called, where it is
+reported and how it is got over follows from what learners do. It never raises, and takes time in proportion to the text.
+
+Source:
+    XML 1.0, fifth edition. Two things are refused on purpose: definitions in a document type (with them a small file can ask
+    for gigabytes), and elements nested beyond `tree.MAX_DEPTH`.
+"""
+
+from __future__ import annotations
+
+from simkit.xml.decoding import Decoded, decode
+from simkit.xml.document import Document, FaultKind
+from simkit.xml.scanner import tokens_of
+from simkit.xml.source import Source
+from simkit.xml.tree import build_tree
+
+
+def parse_xml(text: str | bytes, *, file: str) -> Document:
+    """Read an XML text; never raises.
+
+    Args:
+        text: The text, or a file's bytes: in UTF-8, UTF-16, or what the XML declaration says. In a text that
+            declaration's encoding has no meaning.
+        file: Name to show for it.
+    """
+    decoded = Decoded(text=text) if isinstance(text, str) else decode(text)
+    source = Source(
+        _with_newlines(
+            decoded.text.removeprefix("\ufeff") if isinstance(text, str) else decoded.text
+        )
+    )
+    if decoded.what:
+        at = len(_with_newlines(decoded.text[: decoded.at]))
+        source.fault(FaultKind.ENCODING, at, at + 1, what=decoded.what, remedy=decoded.remedy)
+    root = build_tree(source, tokens_of(source))
+    faults = tuple(sorted(source.faults, key=lambda fault: fault.span))
+    return Document(file=file, text=source.text, lines=source.lines, root=root, faults=faults)
+
+
+def _with_newlines(text: str) -> str:
+    return text.replace("\r\n", "\n").replace("\r", "\n")

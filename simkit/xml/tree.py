@@ -1,0 +1,118 @@
+"""Puts tags and texts together to a tree of elements."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from simkit.xml.document import Element, FaultKind
+from simkit.xml.end_tags import EndTagJudge
+from simkit.xml.letters import WHITE, short
+from simkit.xml.open_elements import OpenElement, OpenElements
+from simkit.xml.outlook import Outlook
+from simkit.xml.source import Source
+from simkit.xml.tokens import EndTag, StartTag, Text, Token
+from simkit.xml.unclosed import is_bare_twin, settle_end_of_file, settle_unclosed
+
+MAX_DEPTH = 256
+"""Elements inside of each other that are kept."""
+
+
+def build_tree(source: Source, tokens: Sequence[Token]) -> Element | None:
+    """The root element of the tree that the tokens make; None if there is none."""
+    builder = _Builder(source, tokens)
+    builder.build(tokens)
+    return builder.root
+
+
+class _Builder:
+    def __init__(self, source: Source, tokens: Sequence[Token]) -> None:
+        self.root: Element | None = None
+        self._source = source
+        self._open = OpenElements()
+        self._outlook = Outlook(tokens)
+        self._judge = EndTagJudge(source, self._outlook, self._open)
+        self._skipped: EndTag | None = None
+        self._said: set[tuple[FaultKind, bool]] = set()
+
+    def build(self, tokens: Sequence[Token]) -> None:
+        for number, token in enumerate(tokens):
+            if isinstance(token, StartTag):
+                self._start(token)
+            elif isinstance(token, Text):
+                self._text(token)
+            elif token is not self._skipped:
+                self._end(number, token)
+        if len(self._open):
+            settle_end_of_file(self._source, self._outlook, self._open)
+        if self.root is None:
+            self._once(FaultKind.EMPTY, 0, 1, "there is no element in this file", "Write one.")
+
+    def _start(self, tag: StartTag) -> None:
+        parent = self._open.top
+        element = None
+        end = tag.at + len(tag.name)
+        if parent is None and self.root is not None:
+            what = (
+                f"<{short(tag.name)}> stands behind the end of <{short(self.root.name)}>, the root"
+            )
+            remedy = f"Move it before </{short(self.root.name)}>: a file has one root."
+            self._once(FaultKind.SECOND_ROOT, tag.at, end, what, remedy)
+        if len(self._open) >= MAX_DEPTH:
+            what = f"more than {MAX_DEPTH} elements stand inside of each other; the inner ones are left out"
+            self._once(
+                FaultKind.TOO_DEEP, tag.at, end, what, "Close elements before the next ones begin."
+            )
+        elif parent is None or parent.element is not None:
+            element = self._element(tag, None if parent is None else parent.element)
+        if tag.is_closed:
+            self._judge.note_closed(tag)
+        else:
+            self._open.push(OpenElement(tag, element))
+
+    def _element(self, tag: StartTag, parent: Element | None) -> Element:
+        element = Element(
+            name=tag.name,
+            span=self._source.span(tag.at, tag.at + len(tag.name)),
+            attributes=tag.attributes,
+            parent=parent,
+        )
+        if parent is not None:
+            parent.children.append(element)
+        elif self.root is None:
+            self.root = element
+        return element
+
+    def _text(self, text: Text) -> None:
+        top = self._open.top
+        raw = self._source.text[text.at : text.end]
+        first = text.at + len(raw) - len(raw.lstrip(WHITE))
+        if top is None:
+            if first < text.end and raw != "<":  # which is a fault of its own
+                what = "this text stands outside of the root element"
+                remedy = "Delete it, or write <!-- ... --> around it."
+                self._once(FaultKind.STRAY_TEXT, first, text.end, what, remedy)
+        elif top.element is not None:
+            top.texts.append(text)
+            if top.element.text_span is None and text.value.strip(WHITE):
+                end = text.at + len(raw.rstrip(WHITE))
+                top.element.text_span = self._source.span(first, end)
+
+    def _end(self, number: int, tag: EndTag) -> None:
+        verdict = self._judge.judge(number, tag)
+        self._skipped = verdict.skip or self._skipped
+        right = 1 if verdict.skip is None else 2
+        for left in range(verdict.closes - right, 0, -1):
+            one, outer = self._open.pop(), self._open.top
+            is_twin = left > 1 and outer is not None and is_bare_twin(one, outer)
+            settle_unclosed(self._source, self._outlook, one, tag, is_twin=is_twin)
+        for _ in range(min(right, verdict.closes)):
+            self._open.pop()
+            self._judge.note_closed(tag)
+
+    def _once(self, kind: FaultKind, start: int, end: int, what: str, remedy: str) -> None:
+        """Note a fault that needs to be said once; once before the root, and once behind it."""
+        key = (kind, self.root is None)
+        if key not in self._said:
+            self._said.add(key)
+            other = self.root.span if kind is FaultKind.SECOND_ROOT and self.root else None
+            self._source.fault(kind, start, end, what=what, remedy=remedy, other=other)

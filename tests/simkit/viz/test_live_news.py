@@ -1,0 +1,80 @@
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from simkit.graph.params import ParameterServer
+from simkit.packages import PackagePath
+from simkit.viz import RvizSettings, SceneSource
+from simkit.viz.live_news import LiveNews, message
+
+START = 1_600_088_400
+ROBOT = '<robot name="r"><link name="a"/></robot>'
+
+
+@pytest.fixture
+def parameters():
+    return ParameterServer()
+
+
+@pytest.fixture
+def news(turtles, parameters):
+    source = SceneSource(
+        RvizSettings(), buffer=turtles, parameters=parameters, packages=PackagePath([])
+    )
+    return LiveNews(source)
+
+
+def told(state, number=-1, known=None):
+    text = message(state, number, known or {})
+    return None if text is None else json.loads(text)
+
+
+def test_somebody_new_is_told_everything(news):
+    found = told(news.look())
+    assert [frame["label"] for frame in found["scene"]["frames"]] == [
+        *("world", "turtle1", "carrot1", "turtle2")
+    ]
+    assert set(found["news"]["poses"]) == {"0", "1", "2", "3"}
+
+
+def test_who_knows_everything_is_told_nothing(news):
+    state = news.look()
+    assert told(state, state.number, dict(enumerate(state.poses))) is None
+
+
+def test_only_what_has_moved_is_told(news, turtles):
+    before = news.look()
+    turtles.put("world", "turtle2", START + 5, (4, 4, 0))
+    after = news.look()
+    found = told(after, before.number, dict(enumerate(before.poses)))
+    assert found == {"news": {"poses": {"3": [4, 4, 0, 0, 0, 0, 1]}}}
+    assert after.scene == before.scene
+
+
+@pytest.mark.parametrize("change", ["a frame", "the robot", "beyond the grid", "another parent"])
+def test_what_is_new_makes_another_scene(news, turtles, parameters, change):
+    before = news.look()
+    match change:
+        case "a frame":
+            turtles.put("world", "late", START)
+        case "the robot":
+            parameters.set("/robot_description", ROBOT)
+        case "beyond the grid":
+            turtles.put("world", "turtle2", START + 5, (40, 4, 0))
+        case "another parent":
+            turtles.put("turtle1", "turtle2", START + 5)
+    after = news.look()
+    assert after.number == before.number + 1
+    assert "scene" in told(after, before.number, dict(enumerate(before.poses)))
+    assert news.look().number == after.number
+
+
+def test_without_frames_there_is_a_scene_all_the_same(buffer, parameters):
+    source = SceneSource(
+        RvizSettings(), buffer=buffer, parameters=parameters, packages=PackagePath([])
+    )
+    found = told(LiveNews(source).look())
+    assert found["scene"]["error"].startswith("No tf data.")
+    assert found["news"] == {}

@@ -1,0 +1,85 @@
+from __future__ import annotations
+
+import struct
+
+import pytest
+
+from simkit.viz import mesh_file
+from simkit.viz.mesh_file import MeshError, read_mesh
+
+CORNERS = [(0, 0, 0), (1, 0, 0), (0, 2, 0), (0, 0, 3)]
+FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+
+
+def stl():
+    """A corner of a box: four triangles."""
+    data = b"\0" * 80 + struct.pack("<I", len(FACES))
+    for face in FACES:
+        numbers = [value for corner in face for value in CORNERS[corner]]
+        data += struct.pack("<12fH", 0, 0, 0, *numbers, 0)
+    return data
+
+
+def obj(head=""):
+    corners = "".join(f"v {x} {y} {z}\n" for x, y, z in CORNERS)
+    return (head + corners + "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in FACES)).encode()
+
+
+def triangles(mesh):
+    vertices = list(struct.iter_unpack("<3f", mesh.vertices))
+    return [[vertices[i] for i in t] for t in struct.iter_unpack("<3I", mesh.triangles)]
+
+
+@pytest.mark.parametrize(("name", "data"), [("a.stl", stl()), ("A.STL", stl()), ("a.obj", obj())])
+def test_triangles_of_a_file(tmp_path, name, data):
+    (tmp_path / name).write_bytes(data)
+    mesh = read_mesh(tmp_path / name, (1.0, 1.0, 1.0))
+    assert triangles(mesh) == [[CORNERS[i] for i in face] for face in FACES]
+    assert (mesh.low, mesh.high) == ((0, 0, 0), (1, 2, 3))
+
+
+def test_the_scale_and_what_a_mirror_does_to_the_inside(tmp_path):
+    (tmp_path / "a.stl").write_bytes(stl())
+    mesh = read_mesh(tmp_path / "a.stl", (2.0, -1.0, 1.0))
+    assert (mesh.low, mesh.high) == ((0, -2, 0), (2, 0, 3))
+    assert triangles(mesh)[0] == [(2, 0, 0), (0, -2, 0), (0, 0, 0)]
+
+
+def test_equal_files_give_equal_meshes(tmp_path):
+    for name in ("a.stl", "b.stl"):
+        (tmp_path / name).write_bytes(stl())
+    assert read_mesh(tmp_path / "a.stl", (1, 1, 1)) == read_mesh(tmp_path / "b.stl", (1, 1, 1))
+
+
+def test_a_file_reads_no_other_file(tmp_path):
+    (tmp_path / "secret.mtl").write_text("newmtl secret\nKd 1 0 0\n")
+    (tmp_path / "a.obj").write_bytes(obj("mtllib secret.mtl\nusemtl secret\n"))
+    assert len(triangles(read_mesh(tmp_path / "a.obj", (1, 1, 1)))) == 4
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "words"),
+    [
+        ("a.gltf", b"{}", r"only \.dae, \.obj, \.stl are drawn"),
+        ("a.stl", b"", "broken|no triangles"),
+        ("a.stl", b"solid of nothing", "broken|no triangles"),
+        ("a.obj", b"f 1 2 3\n", "broken|no triangles"),
+        ("a.dae", b"<COLLADA/>", "lacks what .dae needs|broken"),
+    ],
+)
+def test_what_is_no_mesh_is_refused_with_a_reason(tmp_path, name, data, words):
+    (tmp_path / name).write_bytes(data)
+    with pytest.raises(MeshError, match=words):
+        read_mesh(tmp_path / name, (1, 1, 1))
+
+
+def test_a_file_that_is_not_there_and_one_that_is_too_long(tmp_path, monkeypatch):
+    with pytest.raises(MeshError, match="No such file"):
+        read_mesh(tmp_path / "a.stl", (1, 1, 1))
+    (tmp_path / "a.stl").write_bytes(stl())
+    monkeypatch.setattr(mesh_file, "MAX_TRIANGLES", 3)
+    with pytest.raises(MeshError, match="it has 4 triangles, more than 3"):
+        read_mesh(tmp_path / "a.stl", (1, 1, 1))
+    monkeypatch.setattr(mesh_file, "MAX_BYTES", 100)
+    with pytest.raises(MeshError, match="longer than"):
+        read_mesh(tmp_path / "a.stl", (1, 1, 1))
