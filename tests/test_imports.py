@@ -96,8 +96,14 @@ EXCEPTIONS = {
 # Where a library may be imported: by these modules at once, by those only inside of functions.
 # A library without a row may be imported nowhere.
 LIBRARIES = {
-    "numpy": ("simkit.physics simkit.tf.transformations simkit.viz", "simkit.graph.process.virtual_time"),
-    "yaml": ("simkit.graph.names simkit.talking simkit.tools", "simkit.msgs.strify simkit.launch simkit.urdf.rules simkit.viz.rviz_config"),
+    "numpy": (
+        "simkit.physics simkit.tf.transformations simkit.viz",
+        "simkit.graph.process.virtual_time",
+    ),
+    "yaml": (
+        "simkit.graph.names simkit.talking simkit.tools",
+        "simkit.msgs.strify simkit.launch simkit.urdf.rules simkit.viz.rviz_config",
+    ),
     "matplotlib": ("simkit.nodes.turtlesim.png simkit.viz", ""),
     "dartpy": ("", "simkit.physics"),
     "meshcat": ("simkit.viz", ""),

@@ -17,12 +17,15 @@ GRADER = (
 SIMKIT = (
     (("cli, live", "simkit ... in a terminal, at the pace of the wall"),),
     (("simulation", "one clock, one graph, one TF buffer"),),
-    (("viz", "pictures of frames and turtles"),),
-    (("nodes", "turtlesim and the others of the kit"),),
-    (("tools", "command lines of ROS"), ("tf", "a buffer fed by topics")),
+    (("viz", "RViz, and other pictures"), ("launch", "roslaunch XML")),
+    (("nodes", "turtlesim, state publishers, ..."),),
+    (("tools", "rostopic, ..."), ("tf", "fed by topics"), ("physics", "DART")),
     (("graph", "executor, topics, services, parameters; process"),),
 )
-PURE = ((("msgs", "classes, wire format, time"), ("core of tf", "buffer, rotations")),)
+PURE = (
+    (("urdf", "robots, their kinematics, and the rules of check_urdf"),),
+    (("xml, diagnostics", ""), ("core of tf", "buffer"), ("msgs", "types, time")),
+)
 
 Rows = tuple[tuple[tuple[str, str], ...], ...]
 
@@ -32,15 +35,16 @@ def draw() -> str:
     drawing = Drawing(
         "The parts, and who may import whom",
         "Layers, from top to bottom. grader: cli and notebook; authoring and report; run; checks; "
-        "sandbox, submission, exercises and results. simkit: cli and live; simulation; viz; nodes; "
-        "tools and tf; graph; msgs and the core of tf. ros1 lives in node processes and reaches the graph by its client.",
-        size=(960, 748),
+        "sandbox, submission, exercises and results. simkit: cli and live; simulation; viz and launch; "
+        "nodes; tools, tf and physics; graph; urdf; msgs, the core of tf, xml and diagnostics. ros1 "
+        "lives in node processes and reaches the graph by its client.",
+        size=(960, 798),
     )
     drawing.words((30, 36), "A part imports only from the layers below it.", size=15, bold=True)
     drawing.words((930, 36), "Along an arrow: only what it says.", color=MUTED, anchor="end")
     drawing.region(Area(30, 56, 900, 256), "grader", color=AMBER)
     _layers(drawing, GRADER, Area(50, 88, 860, 36))
-    drawing.region(Area(30, 360, 560, 364), "simkit, where the simulation runs", color=BLUE)
+    drawing.region(Area(30, 360, 560, 414), "simkit, where the simulation runs", color=BLUE)
     _layers(drawing, SIMKIT, Area(50, 392, 520, 36))
     _layers(drawing, PURE, Area(50, 664, 520, 42), color=GREEN)
     drawing.arrow([(310, 312), (310, 358)])
@@ -61,7 +65,7 @@ def _layers(drawing: Drawing, rows: Rows, first: Area, *, color: Color = PLAIN) 
 
 
 def _node_side(drawing: Drawing) -> None:
-    drawing.region(Area(690, 360, 240, 364), "in each node process", color=VIOLET)
+    drawing.region(Area(690, 360, 240, 414), "in each node process", color=VIOLET)
     drawing.box(
         Area(708, 394, 204, 56), "a student's script", lines=["real ROS 1 Python"], color=VIOLET
     )
@@ -75,5 +79,5 @@ def _node_side(drawing: Drawing) -> None:
     drawing.arrow([(708, 630), (572, 630)])
     drawing.words((640, 604), "client,", size=12, color=MUTED, anchor="middle")
     drawing.words((640, 620), "protocol", size=12, color=MUTED, anchor="middle")
-    drawing.arrow([(810, 680), (810, 692), (572, 692)])
-    drawing.words((640, 711), "all of it", size=12, color=MUTED, anchor="middle")
+    drawing.arrow([(810, 680), (810, 736), (572, 736)])
+    drawing.words((640, 755), "all of it", size=12, color=MUTED, anchor="middle")

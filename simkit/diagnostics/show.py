@@ -16,6 +16,7 @@ WIDTH = 100
 VERSION = 1
 """Of the JSON: it changes when a key changes its meaning or goes."""
 
+_LONGEST_SOURCE = 1000
 _INDENT = "      "
 _BOLD, _END = "\x1b[1m", "\x1b[0m"
 _COLOURS = {
@@ -36,14 +37,17 @@ def as_text(diagnostics: Sequence[Diagnostic], *, colour: bool = False) -> str:
 
 
 def as_json(diagnostics: Sequence[Diagnostic]) -> str:
-    """Finds for programs: one JSON object, its keys in a fixed order."""
+    """Finds for programs: one JSON object, its keys in a fixed order.
+
+    Lines and columns count from 1, columns and lengths in letters. Of a very long line the beginning is given.
+    """
     counts = {f"{severity.value}s": _count(diagnostics, severity) for severity in Severity}
     listed = {
         "version": VERSION,
         "diagnostics": [_plain(one) for one in diagnostics],
         "summary": counts,
     }
-    return json.dumps(listed, indent=2, ensure_ascii=False)
+    return json.dumps(listed, indent=2)
 
 
 def summary(diagnostics: Sequence[Diagnostic]) -> str:
@@ -138,13 +142,13 @@ def _plain(one: Diagnostic) -> dict[str, Any]:
         "here": one.here,
         "gazebo": one.gazebo,
         "remedy": one.remedy,
-        "source": one.source,
+        "source": one.source[:_LONGEST_SOURCE],
         "related": [
             {
                 "file": related.file,
                 **_place(related.span),
                 "text": related.text,
-                "source": related.source,
+                "source": related.source[:_LONGEST_SOURCE],
             }
             for related in one.related
         ],

@@ -26,6 +26,7 @@ from simkit.physics.plan import (
 )
 from simkit.physics.rays import MISS, Hits
 from simkit.physics.robot_plan import plan_robot
+from simkit.physics.watch import LostModelError
 from simkit.physics.world import ORIGIN, World
 
 __all__ = [
@@ -39,6 +40,7 @@ __all__ = [
     "Hits",
     "JointKind",
     "JointPlan",
+    "LostModelError",
     "Mode",
     "Model",
     "ModelError",

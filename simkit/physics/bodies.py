@@ -12,12 +12,14 @@ from simkit.physics.lumps import Lump, Member
 from simkit.urdf.frame import Frame
 from simkit.urdf.inertia import Body, merged, placed
 from simkit.urdf.matrix import Matrix, eigenvalues
-from simkit.urdf.model import Inertial
+from simkit.urdf.model import Inertial, Pose
 
 NO_MASS = 1e-6
 """A smaller mass [kg] is none, as for sdformat."""
 LARGEST = 1e9
 """Larger numbers [m, kg, kg m^2] are no robot, and leave the range in which computers are exact."""
+FAR = 1e4
+"""Larger lengths [m] belong to no robot."""
 THINNEST = 1e-7
 """Smallest principal moment of inertia per mass [m^2]: all of it within 0.3 mm of an axis."""
 
@@ -45,8 +47,8 @@ def _own_body(member: Member) -> Body | None:
         return None
     name = member.link.name
     tensor = _tensor(inertial)
-    numbers = (inertial.mass, *inertial.origin.xyz, *inertial.origin.rpy, *np.ravel(tensor))
-    check_numbers(numbers, f"the inertial of link {name}")
+    check_numbers((inertial.mass, *np.ravel(tensor)), f"the inertial of link {name}")
+    check_pose(inertial.origin, f"the inertial of link {name}")
     if inertial.mass < 0.0:
         raise ModelError(f"link {name} has a mass of {inertial.mass:g} kg: a mass is positive")
     if inertial.mass < NO_MASS:
@@ -68,6 +70,29 @@ def check_numbers(numbers: Iterable[float], what: str) -> None:
     for number in numbers:
         if not math.isfinite(number) or abs(number) > LARGEST:
             raise ModelError(f"{what} holds {number:g}, which no simulator can compute with")
+
+
+def check_lengths(lengths: Iterable[float], what: str) -> None:
+    """See that lengths [m] are such of a robot.
+
+    Raises:
+        ModelError: One is not a number, or longer than 10 km.
+    """
+    for length in lengths:
+        if not abs(length) <= FAR:
+            raise ModelError(
+                f"{what} has a length of {length:g} m, which no simulator can compute with"
+            )
+
+
+def check_pose(pose: Pose, what: str) -> None:
+    """See that a pose is one.
+
+    Raises:
+        ModelError: A number of it is none, or too large.
+    """
+    check_lengths(pose.xyz, what)
+    check_numbers(pose.rpy, what)
 
 
 def sound(body: Body, name: str) -> tuple[Body, str]:

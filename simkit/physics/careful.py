@@ -23,7 +23,7 @@ falls is stepped carefully too: then it keeps to the parabola.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
@@ -33,8 +33,6 @@ from simkit.urdf.frame import Frame
 from simkit.urdf.inertia import Body, placed
 from simkit.urdf.model import Vector
 
-LOOK_EVERY = 64
-"""Steps after which the speeds are looked at again."""
 GRACE = 4
 """Looks at which it must have been slow before steps are plain again: a pendulum is slow where it turns."""
 SWING = 0.05
@@ -59,6 +57,7 @@ class Careful:
         self._grace = GRACE
         self._skeleton = built.skeleton
         self._slowest = self._thresholds(plan, built)
+        self._can_swing = min(self._slowest, default=math.inf) < math.inf
 
     @staticmethod
     def _thresholds(plan: ModelPlan, built: Built) -> list[float]:
@@ -78,20 +77,18 @@ class Careful:
     @property
     def is_on(self) -> bool:
         """Whether the next step is careful."""
-        return self._swings and not self._led
-
-    @property
-    def is_needed(self) -> bool:
-        """Whether the model has anything that could swing."""
-        return min(self._slowest, default=math.inf) < math.inf and bool(self._skeleton.isMobile())
+        return self._can_swing and self._swings and not self._led
 
     def start(self) -> None:
         """Be careful from now on, until it has been slow for a while: it may begin to swing."""
         self._swings, self._grace = True, GRACE
 
-    def look(self) -> None:
-        """See whether it swings now."""
-        velocities = self._skeleton.getVelocities().tolist()
+    def look(self, velocities: Sequence[float]) -> None:
+        """See whether it swings now.
+
+        Args:
+            velocities: Of all its coordinates [rad/s or m/s].
+        """
         swings = any(abs(v) > slow for v, slow in zip(velocities, self._slowest, strict=True))
         self._grace = GRACE if swings else self._grace - 1
         self._swings = self._grace > 0

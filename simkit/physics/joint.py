@@ -5,6 +5,7 @@ from __future__ import annotations
 import enum
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 from simkit.physics.engine import dart
@@ -14,6 +15,11 @@ from simkit.physics.skeleton import start_position
 
 JUMP = 100.0
 """A commanded position that would take a faster motion [rad/s or m/s] is jumped to, without one."""
+
+FARTHEST = 1e6
+"""No position or velocity that is asked for is beyond this [rad or m, and per second]."""
+STRONGEST = 1e9
+"""No effort is stronger [N m or N]."""
 
 
 class Mode(enum.Enum):
@@ -29,6 +35,20 @@ class Mode(enum.Enum):
     """A position is held exactly, whatever it takes."""
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ties:
+    """What a joint reaches of its model and world."""
+
+    busy: dict[int, ModelJoint]
+    """The joints of the world that need attention in every step."""
+    led: set[str]
+    """Names of the joints of the model that are on their way to a position."""
+    stirred: Callable[[], None]
+    """To be called when it is driven in another way."""
+    touched: Callable[[], None]
+    """To be called when it is put somewhere."""
+
+
 class ModelJoint:
     """A joint that turns or slides.
 
@@ -37,27 +57,15 @@ class ModelJoint:
     Args:
         plan: What it is.
         joint: The engine's joint.
-        busy: The joints of the world that need attention in every step; this one enters and leaves by itself.
-        led: Names of the joints of its model that are on their way to a position; likewise.
-        touched: Called when its state is set from outside.
+        ties: What it reaches of its model and world.
     """
 
-    def __init__(
-        self,
-        plan: JointPlan,
-        joint: Any,
-        *,
-        busy: dict[int, ModelJoint],
-        led: set[str],
-        touched: Callable[[], None],
-    ) -> None:
+    def __init__(self, plan: JointPlan, joint: Any, ties: Ties) -> None:
         self.plan = plan
         self.mode = Mode.FREE
         self.start = start_position(plan)
         self._joint = joint
-        self._busy = busy
-        self._led = led
-        self._touched = touched
+        self._ties = ties
         self._target = 0.0
         self._bound = math.inf
 
@@ -111,12 +119,12 @@ class ModelJoint:
         self._joint.setPosition(0, self._within(position))
         if self.mode is Mode.POSITION:
             self._target = self.position
-        self._touched()
+        self._ties.touched()
 
     def set_velocity(self, velocity: float) -> None:
         """Give it a velocity at once [rad/s or m/s]."""
-        self._joint.setVelocity(0, _number(velocity, self.name))
-        self._touched()
+        self._joint.setVelocity(0, self._checked(velocity))
+        self._ties.touched()
 
     def command_effort(self, effort: float) -> None:
         """Drive it by a torque or force, up to its limit; in the direction in which it is too fast by none.
@@ -129,11 +137,12 @@ class ModelJoint:
         """
         self._switch(Mode.EFFORT, dart().dynamics.ActuatorType.FORCE)
         self._bound = self.plan.effort
-        wanted = _number(effort, self.name)
-        self._target = min(max(wanted, -self._bound), self._bound)
+        bound = min(self._bound, STRONGEST)
+        self._target = min(max(_number(effort, self.name), -bound), bound)
         self._joint.setCommand(0, self._target)
+        self._ties.stirred()
         if math.isfinite(self.plan.velocity):
-            self._busy[id(self)] = self
+            self._ties.busy[id(self)] = self
 
     def command_velocity(self, velocity: float, *, effort: float | None = None) -> None:
         """Let a motor hold a speed, as Gazebo's joint motor does.
@@ -148,8 +157,9 @@ class ModelJoint:
             self._bound = bound
             self._joint.setForceLowerLimit(0, -bound)
             self._joint.setForceUpperLimit(0, bound)
-        self._target = _number(velocity, self.name)
+        self._target = self._checked(velocity)
         self._joint.setCommand(0, self._target)
+        self._ties.stirred()
 
     def command_position(self, position: float) -> None:
         """Hold a position, within its limits: it is there after the next step, and stays.
@@ -161,17 +171,21 @@ class ModelJoint:
             position: Where to [rad or m].
         """
         target = self._within(position)
-        if self.mode is Mode.POSITION and target == self.position and self.name not in self._led:
+        if (
+            self.mode is Mode.POSITION
+            and target == self.position
+            and self.name not in self._ties.led
+        ):
             return  # it is there, and at rest
         self._switch(Mode.POSITION, dart().dynamics.ActuatorType.VELOCITY)
         self._target = target
-        self._busy[id(self)] = self
-        self._led.add(self.name)
+        self._ties.busy[id(self)] = self
+        self._ties.led.add(self.name)
 
     def release(self) -> None:
         """Let it go."""
         self._switch(Mode.FREE, dart().dynamics.ActuatorType.FORCE)
-        self._touched()
+        self._ties.touched()
 
     def before_step(self, step_s: float) -> None:
         """Prepare the step that follows."""
@@ -216,11 +230,20 @@ class ModelJoint:
         self._joint.getSkeleton().dirtyArticulatedInertia(self._joint.getTreeIndex())
 
     def _rest(self) -> None:
-        self._busy.pop(id(self), None)
-        self._led.discard(self.name)
+        self._ties.busy.pop(id(self), None)
+        self._ties.led.discard(self.name)
 
     def _within(self, position: float) -> float:
-        return min(max(_number(position, self.name), self.plan.lower), self.plan.upper)
+        return min(max(self._checked(position), self.plan.lower), self.plan.upper)
+
+    def _checked(self, value: float) -> float:
+        """A position or velocity of this world."""
+        value = _number(value, self.name)
+        if abs(value) > FARTHEST:
+            raise PhysicsError(
+                f"joint {self.name} is asked for {value:g}: that is beyond {FARTHEST:g}"
+            )
+        return value
 
     def _step_s(self) -> float:
         return float(self._joint.getSkeleton().getTimeStep())

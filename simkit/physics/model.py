@@ -9,7 +9,7 @@ import numpy as np
 
 from simkit.errors import UnknownNameError
 from simkit.physics.errors import PhysicsError
-from simkit.physics.joint import ModelJoint
+from simkit.physics.joint import FARTHEST, STRONGEST, ModelJoint, Ties
 from simkit.physics.plan import JointKind, ModelPlan
 from simkit.physics.poses import frame_of, isometry, placement, quaternion, then, vector
 from simkit.physics.skeleton import Built, place_joint
@@ -42,16 +42,16 @@ class Model:
         self.plan = plan
         self.led: set[str] = set()
         """Names of the joints that are on their way to a commanded position."""
+        self.is_calm = False
+        """Whether it was slow at the last look, and nothing was done to it since."""
+        ties = Ties(busy=busy, led=self.led, stirred=self._stir, touched=touched)
         self.joints: Mapping[str, ModelJoint] = {
-            one.name: ModelJoint(
-                one, built.joints[one.name], busy=busy, led=self.led, touched=touched
-            )
+            one.name: ModelJoint(one, built.joints[one.name], ties)
             for one in plan.joints.values()
             if one.moves
         }
         self.start = pose
         self.built = built
-        self._busy = busy
         self._touched = touched
         self._mounts = {
             link: (built.bodies[mount.body], Placement(mount.frame.origin, quaternion(mount.frame.rotation)))
@@ -188,8 +188,10 @@ class Model:
         Raises:
             PhysicsError: A number is none.
         """
-        if not np.isfinite([*linear, *angular]).all():
-            raise PhysicsError(f"{self.name} is given a velocity that is no number")
+        if not all(abs(v) <= FARTHEST for v in (*linear, *angular)):
+            raise PhysicsError(
+                f"{self.name} is given a velocity that it cannot have: {linear}, {angular}"
+            )
         for plan, joint in self._roots:
             if plan.kind is JointKind.FREE:
                 joint.setLinearVelocity(list(linear))
@@ -230,8 +232,8 @@ class Model:
             PhysicsError: A number is none.
         """
         body, mount = self._mount(link)
-        if not np.isfinite([*force, *torque, *point]).all():
-            raise PhysicsError(f"link {link} is pushed by something that is no number")
+        if not all(abs(x) <= STRONGEST for x in (*force, *torque, *point)):
+            raise PhysicsError(f"link {link} cannot be pushed by {force} and {torque} at {point}")
         at = then(mount, Placement(point, (0.0, 0.0, 0.0, 1.0))).translation
         body.addExtForce(list(force), list(at), False, True)
         body.addExtTorque(list(torque), False)
@@ -272,6 +274,9 @@ class Model:
             one.reset()
         self._pose = self.start
         self._touched()
+
+    def _stir(self) -> None:
+        self.is_calm = False
 
     def _mount(self, link: str) -> tuple[Any, Placement]:
         found = self._mounts.get(link)

@@ -15,6 +15,9 @@ from simkit.urdf.frame import Frame
 from simkit.urdf.kinematics import Placement
 from simkit.urdf.matrix import Matrix
 
+FARTHEST = 1e6
+"""Nothing is put farther from the origin of the world [m]."""
+
 
 def isometry(frame: Frame) -> Any:
     """T_ab as the engine takes it."""
@@ -31,11 +34,11 @@ def frame_of(pose: Placement) -> Frame:
     """A pose with its rotation as a matrix.
 
     Raises:
-        PhysicsError: A number is none, or the quaternion is zero.
+        PhysicsError: A number is none, the quaternion is zero, or it is beyond all places.
     """
     x, y, z, w = pose.rotation
     length = math.sqrt(x * x + y * y + z * z + w * w)
-    if not all(map(math.isfinite, (*pose.translation, length))) or length < 1e-9:
+    if not 1e-9 < length < math.inf or not all(abs(x) <= FARTHEST for x in pose.translation):
         raise PhysicsError(f"this is no pose: {pose.translation} with quaternion {pose.rotation}")
     x, y, z, w = x / length, y / length, z / length, w / length
     rotation: Matrix = (

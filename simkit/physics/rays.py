@@ -89,8 +89,9 @@ def _passing(
     along = middles @ ways - (starts * ways).sum(axis=0)
     squares = (middles * middles).sum(axis=1)[:, None] + (starts * starts).sum(axis=0)
     aside = squares - 2.0 * (middles @ starts) - along * along
-    passes: NDArray[np.bool_] = aside <= radii * radii
-    return passes & (along >= -radii) & (along - radii <= reach)
+    passes: NDArray[np.bool_] = (aside <= radii * radii) & (along >= -radii)
+    passes &= along - radii <= reach
+    return passes
 
 
 def _ball(target: Target) -> tuple[Floats, float]:

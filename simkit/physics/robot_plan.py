@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 
-from simkit.physics.bodies import body_of, check_numbers, sound
+from simkit.physics.bodies import body_of, check_numbers, check_pose, sound
 from simkit.physics.errors import ModelError
 from simkit.physics.gazebo_tags import GazeboTags, LinkTags, read_gazebo_tags
 from simkit.physics.lumps import Branch, Lump, find_lumps, is_anchor
@@ -109,7 +109,7 @@ class _Planner:
 
     def _joint(self, parent: Lump, branch: Branch, rest: Frame) -> JointPlan:
         joint = branch.joint
-        check_numbers((*joint.origin.xyz, *joint.origin.rpy), f"the origin of joint {joint.name}")
+        check_pose(joint.origin, f"the origin of joint {joint.name}")
         kind = KINDS[joint.type]
         if kind is JointKind.FREE:
             self.notes.append(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from simkit.physics.bodies import check_numbers
+from simkit.physics.bodies import check_pose
 from simkit.physics.gazebo_tags import GazeboTags, LinkTags
 from simkit.physics.lumps import Lump, Member
 from simkit.physics.plan import ShapePlan
@@ -53,7 +53,7 @@ def note_friction(link: str, friction: float, across: float | None, notes: list[
 
 def _add(shelf: _Shelf, member: Member, collision: Collision) -> None:
     link = member.link.name
-    check_numbers((*collision.origin.xyz, *collision.origin.rpy), f"a collision of link {link}")
+    check_pose(collision.origin, f"a collision of link {link}")
     tags = shelf.tags.of_link(link)
     base = ShapePlan(
         name=_name(shelf, member, collision),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from simkit.physics.bodies import check_numbers
+from simkit.physics.bodies import check_lengths
 from simkit.physics.errors import ModelError
 from simkit.physics.mesh import MAX_TRIANGLES, MeshError, read_mesh, stand_in
 from simkit.physics.plan import Plane, ShapePlan
@@ -35,8 +35,8 @@ def with_solid(
     if isinstance(geometry, Plane):
         normal = unit(geometry.normal, f"the normal of the plane of {shape.link}")
         return replace(shape, solid=Plane(normal))
-    sizes = _sizes(geometry)
-    check_numbers(sizes, f"a collision of link {shape.link}")
+    sizes = sizes_of(geometry)
+    check_lengths(sizes, f"a collision of link {shape.link}")
     if min(sizes) < SMALLEST:
         notes.append(f"a collision of {shape.link} is left out: {geometry} has no inside")
         return None
@@ -57,7 +57,7 @@ def unit(direction: Vector, what: str) -> Vector:
 
 
 def _of_mesh(shape: ShapePlan, geometry: Mesh, notes: list[str]) -> ShapePlan:
-    check_numbers(geometry.scale, f"the mesh of link {shape.link}")
+    check_lengths(geometry.scale, f"the mesh of link {shape.link}")
     name = f"the mesh {geometry.filename} of {shape.link}"
     try:
         if geometry.path is None:
@@ -77,7 +77,8 @@ def _of_mesh(shape: ShapePlan, geometry: Mesh, notes: list[str]) -> ShapePlan:
     )
 
 
-def _sizes(solid: Box | Cylinder | Sphere) -> tuple[float, ...]:
+def sizes_of(solid: Box | Cylinder | Sphere) -> tuple[float, ...]:
+    """The sizes of a solid [m]."""
     match solid:
         case Box():
             return solid.size

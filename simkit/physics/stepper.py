@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from simkit.physics.careful import LOOK_EVERY, Careful
 from simkit.physics.contact import Owner
 from simkit.physics.errors import PhysicsError
 from simkit.physics.joint import ModelJoint
 from simkit.physics.lifting import FALLING, LONGEST, lift
 from simkit.physics.model import Model
+from simkit.physics.watch import LOOK_EVERY, LostModelError, Watch
 
 
 class Stepper:
@@ -25,6 +25,7 @@ class Stepper:
         step_ns: Time of one step [ns].
         models: The models of the world; it may change.
         owners: What the engine's shapes are; it may change.
+        remove: Takes a model out of the world.
     """
 
     def __init__(
@@ -33,11 +34,12 @@ class Stepper:
         step_ns: int,
         models: Mapping[str, Model],
         owners: Mapping[str, Owner],
+        remove: Callable[[str], None],
     ) -> None:
         self.before: list[Callable[[], None]] = []
         self.after: list[Callable[[], None]] = []
         self.busy: dict[int, ModelJoint] = {}
-        self.careful: dict[str, Careful] = {}
+        self.watches: dict[str, Watch] = {}
         self.step_ns = step_ns
         self.time_ns = 0
         self.has_contacts = False
@@ -46,17 +48,18 @@ class Stepper:
         self._step_s = step_ns * 1e-9
         self._models = models
         self._owners = owners
+        self._remove = remove
         self._count = 0
-        self._watch = 0
+        self._to_lift = 0
         self._patience = LONGEST
         self._is_stepping = False
         self.heed_gravity()
 
     def touched(self) -> None:
         """Something was set from outside: it may be fast, or stick in something."""
-        self._watch, self._patience = LOOK_EVERY, LONGEST
-        for careful in self.careful.values():
-            careful.start()
+        self._to_lift, self._patience = LOOK_EVERY, LONGEST
+        for watch in self.watches.values():
+            watch.start()
 
     def heed_gravity(self) -> None:
         """See which way things fall."""
@@ -80,6 +83,7 @@ class Stepper:
 
         Raises:
             PhysicsError: It is called by something that is called in a step.
+            LostModelError: The numbers of a model left all bounds; the model is gone, the rest goes on.
         """
         if self._is_stepping:
             raise PhysicsError("a step cannot be made while one is being made")
@@ -98,23 +102,17 @@ class Stepper:
             self._is_stepping = False
 
     def _look(self) -> None:
-        for careful in self.careful.values():
-            careful.look()
-        for name, model in self._models.items():
-            if model.falls(self._down, FALLING):
-                self._watch, self._patience = LOOK_EVERY + 1, LONGEST
-                self.careful[name].start()
+        for watch in self.watches.values():
+            watch.look()
+            if watch.model.falls(self._down, FALLING):
+                self._to_lift, self._patience = LOOK_EVERY + 1, LONGEST
+                watch.careful.start()
 
     def _is_quiet(self) -> bool:
         """Whether the engine can make the next steps alone."""
-        return not (
-            self.before
-            or self.after
-            or self.busy
-            or self._watch
-            or any(careful.is_on for careful in self.careful.values())
-            or any(model.needs_attention for model in self._models.values())
-        )
+        if self.before or self.after or self.busy or self._to_lift:
+            return False
+        return all(watch.is_quiet for watch in self.watches.values())
 
     def _hurry(self, steps: int) -> None:
         engine_step = self._engine.step
@@ -128,33 +126,36 @@ class Stepper:
             hook()
         for joint in self.busy.values():
             joint.before_step(self._step_s)
-        for model in self._models.values():
-            model.brake(self._step_s)
-        careful = [one for one in self.careful.values() if one.is_on]
+        for watch in self.watches.values():
+            watch.model.brake(self._step_s)
+        careful = [watch.careful for watch in self.watches.values() if watch.careful.is_on]
         for one in careful:
             one.lean(self._step_s)
         self._engine.step(False)
         for one in careful:
             one.straighten(self._step_s)
-        self._tidy()
         self._passed(1)
+        self._tidy()
         for hook in tuple(self.after):
             hook()
 
     def _tidy(self) -> None:
         for joint in tuple(self.busy.values()):
             joint.after_step()
-        for model in self._models.values():
-            model.after_step()
-        if self._watch:
+        for watch in tuple(self.watches.values()):
+            watch.model.after_step()
+            if not watch.model.is_calm and watch.is_lost():
+                self._remove(watch.model.name)
+                raise LostModelError(watch.model.name, self.time_ns)
+        if self._to_lift:
             self._lift()
 
     def _lift(self) -> None:
         """Take models out of what they stick in; after some time of it, leave them there."""
-        self._watch -= 1
+        self._to_lift -= 1
         if lift(self._engine.getLastCollisionResult(), self._owners, self._models):
             self._patience -= 1
-            self._watch = max(self._watch, 1) if self._patience > 0 else 0
+            self._to_lift = max(self._to_lift, 1) if self._patience > 0 else 0
 
     def _passed(self, steps: int) -> None:
         self._count += steps

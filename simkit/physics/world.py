@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simkit.errors import UnknownNameError
-from simkit.physics.careful import Careful
 from simkit.physics.contact import Contact, Owner, read_contacts
 from simkit.physics.engine import GRAVITY, STEP_NS, dart, new_engine_world
 from simkit.physics.errors import ModelError, PhysicsError
@@ -22,6 +21,7 @@ from simkit.physics.rays import Hits, cast
 from simkit.physics.sight import Sight
 from simkit.physics.skeleton import build, shy_pairs
 from simkit.physics.stepper import Stepper
+from simkit.physics.watch import Watch
 from simkit.tf.transform import Vector
 from simkit.urdf.kinematics import Placement
 
@@ -54,7 +54,9 @@ class World:
         self._models: dict[str, Model] = {}
         self._sights: dict[str, Sight] = {}
         self._owners: dict[str, Owner] = {}
-        self._stepper = Stepper(self._engine, step_ns, self._models, self._owners)
+        self._stepper = Stepper(
+            self._engine, step_ns, self._models, self._owners, remove=self.remove
+        )
         if ground:
             self.add(ground_plan())
 
@@ -149,11 +151,15 @@ class World:
         self._engine.removeSkeleton(model.built.skeleton)
         for label in self._sights.pop(name).labels:
             del self._owners[label]
-        self._stepper.careful.pop(name, None)
+        self._stepper.watches.pop(name, None)
         del self._models[name]
 
     def step(self) -> None:
-        """Make one step."""
+        """Make one step.
+
+        Raises:
+            LostModelError: The numbers of a model left all bounds; the model is gone, the rest goes on.
+        """
         self._stepper.make(1)
 
     def run(self, duration_ns: int) -> None:
@@ -164,6 +170,7 @@ class World:
 
         Raises:
             PhysicsError: It is negative, or not a whole number of steps.
+            LostModelError: As `step`.
         """
         steps, rest = divmod(duration_ns, self.step_ns)
         if steps < 0 or rest:
@@ -175,6 +182,9 @@ class World:
 
         Args:
             time_ns: Time on the clock of this world [ns].
+
+        Raises:
+            LostModelError: As `step`.
         """
         self._stepper.make(max(0, (time_ns - self.time_ns) // self.step_ns))
 
@@ -231,9 +241,8 @@ class World:
         self._sights[name] = Sight(built)
         for label, (node, shape) in built.shapes.items():
             self._owners[label] = Owner(name, node.getBodyNodePtr().getName(), shape)
-        careful = Careful(plan, built, model.led)
-        if careful.is_needed:
-            self._stepper.careful[name] = careful
+        if built.skeleton.getNumDofs() and not plan.is_static:
+            self._stepper.watches[name] = Watch(model)
         for one, other in shy_pairs(plan):
             self._filter().addBodyNodePairToBlackList(built.bodies[one], built.bodies[other])
 

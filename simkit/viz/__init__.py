@@ -1,8 +1,10 @@
 """Seeing: the RViz of this kit, its view_frames, time series, and a window of turtles.
 
-Every picture is made once and does not change afterwards; it shows itself in a notebook and is
-saved by `save("name.svg")`. What a picture shows (`forest`, `tf_scene`, `transform_series`,
-`turtle_tape`) lies apart from how it is drawn; `drawing` is what both SVG and PNG are made of.
+Every picture is made once and does not change afterwards, but for those that are called live; it
+shows itself in a notebook and is saved by `save("name.svg")`, or `.png`, or `.html`. What a picture
+shows (`scene`, `forest`, `transform_series`, `turtle_tape`) lies apart from how it is drawn:
+`drawing` is what both SVG and PNG are made of, and a `scene` is drawn by three.js in a browser
+(`rviz_page`) and by `scene_raster` without one.
 """
 
 from simkit.viz.frames_picture import FramesPicture

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from simkit.physics.bodies import NO_MASS, check_numbers, sound
+from simkit.physics.bodies import NO_MASS, check_numbers, check_pose, sound
 from simkit.physics.errors import ModelError
 from simkit.physics.plan import (
     BodyPlan,
@@ -107,6 +107,7 @@ def _mass(link: SdfLink) -> Body:
         (one.mass, one.ixx, one.ixy, one.ixz, one.iyy, one.iyz, one.izz),
         f"the inertial of link {link.name}",
     )
+    check_pose(one.origin, f"the inertial of link {link.name}")
     if one.mass < NO_MASS:
         raise ModelError(f"link {link.name} has a mass of {one.mass:g} kg: a mass is positive")
     tensor = ((one.ixx, one.ixy, one.ixz), (one.ixy, one.iyy, one.iyz), (one.ixz, one.iyz, one.izz))
@@ -114,15 +115,14 @@ def _mass(link: SdfLink) -> Body:
 
 
 def _shape(link: SdfLink, collision: SdfCollision, notes: list[str]) -> ShapePlan | None:
-    pose = collision.pose
-    check_numbers((*pose.xyz, *pose.rpy), f"a collision of link {link.name}")
+    check_pose(collision.pose, f"a collision of link {link.name}")
     if not isinstance(collision.geometry, Plane):
         note_friction(link.name, collision.friction, collision.across, notes)
     base = ShapePlan(
         name=collision.name,
         link=link.name,
         solid=PLACEHOLDER,
-        frame=Frame.of(pose),
+        frame=Frame.of(collision.pose),
         friction=collision.friction,
         retro=collision.retro,
     )
@@ -131,14 +131,14 @@ def _shape(link: SdfLink, collision: SdfCollision, notes: list[str]) -> ShapePla
 
 def _joint(model: SdfModel, link: SdfLink, joint: SdfJoint | None) -> JointPlan:
     """The joint that holds a link: that of the file, else one that fixes or frees it."""
-    check_numbers((*link.pose.xyz, *link.pose.rpy), f"the pose of link {link.name}")
+    check_pose(link.pose, f"the pose of link {link.name}")
     here = Frame.of(link.pose)
     if joint is None:
         kind = JointKind.FIXED if model.is_static else JointKind.FREE
         return JointPlan(
             name=f"{link.name} ({kind.value})", kind=kind, parent=None, child=link.name, frame=here
         )
-    check_numbers((*joint.pose.xyz, *joint.pose.rpy), f"the pose of joint {joint.name}")
+    check_pose(joint.pose, f"the pose of joint {joint.name}")
     poses = {one.name: Frame.of(one.pose) for one in model.links}
     is_anchored = joint.parent == WORLD
     return JointPlan(

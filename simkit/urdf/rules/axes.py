@@ -82,7 +82,7 @@ def _zero(sheet: Sheet, joint: JointEntry) -> Diagnostic:
         + ("is zero: it has no direction" if has_xyz else "has no xyz, and so is zero"),
         remedy='Say which axis is meant, e.g. <axis xyz="0 0 1"/>.',
         here="The joint does not move anything.",
-        gazebo="ROS accepts it and the joint moves nothing; Gazebo refuses the robot: the norm of an axis cannot be zero.",
+        gazebo="ROS accepts it, and TF gets numbers that are none; Gazebo refuses the robot: an axis has a length.",
     )
 
 

@@ -45,6 +45,7 @@ def controller_faults(sheet: Sheet, offered: Mapping[str, str | None]) -> Iterat
         sheet: The URDF and the files beside it.
         offered: The interface of each joint in its transmissions.
     """
+    moving = moving_joints(sheet)
     for companion in sheet.companions:
         if companion.kind is not CompanionKind.YAML:
             continue
@@ -62,8 +63,8 @@ def controller_faults(sheet: Sheet, offered: Mapping[str, str | None]) -> Iterat
             )
             continue
         for controller in found:
-            yield from _type_faults(sheet, controller)
-            yield from _joint_faults(sheet, controller, offered)
+            yield from _type_faults(sheet, controller, moving)
+            yield from _joint_faults(sheet, controller, offered, moving)
 
 
 def gains(sheet: Sheet) -> Iterator[Diagnostic]:
@@ -114,7 +115,7 @@ def gains(sheet: Sheet) -> Iterator[Diagnostic]:
             )
 
 
-def _type_faults(sheet: Sheet, controller: Controller) -> Iterator[Diagnostic]:
+def _type_faults(sheet: Sheet, controller: Controller, moving: list[str]) -> Iterator[Diagnostic]:
     name, kind = quoted(controller.name.text), controller.type
     if kind is None:
         yield _find(
@@ -143,29 +144,34 @@ def _type_faults(sheet: Sheet, controller: Controller) -> Iterator[Diagnostic]:
             gazebo="Gazebo loads it if it is installed, else it says: controller type does not exist.",
             remedy=meant([near]).strip() if near else f"Some of them: {listed(TYPES, 3)}.",
         )
-    kind_name = kind.text.rpartition("/")[2]
-    wanted = "joints" if kind_name in _GROUP else "joint" if kind_name in _SINGLE else None
-    if wanted is not None and not controller.joints:
-        names = moving_joints(sheet)
-        every = f"[{', '.join(names)}]" if wanted == "joints" else (names or ["hip"])[0]
-        yield _find(
-            sheet,
-            "CTL-E01",
-            Severity.ERROR,
-            controller,
-            what=f"the controller {name} names no joints",
-            here="simkit refuses to load the controller.",
-            gazebo=f"Could not find '{wanted}' parameter.",
-            remedy=f"Add {wanted}: {shown(every)}.",
-        )
+    yield from _no_joints(sheet, controller, kind.text.rpartition("/")[2], moving)
+
+
+def _no_joints(
+    sheet: Sheet, controller: Controller, kind: str, moving: list[str]
+) -> Iterator[Diagnostic]:
+    """A controller of a kind that needs joints, and names none."""
+    wanted = "joints" if kind in _GROUP else "joint" if kind in _SINGLE else None
+    if wanted is None or controller.joints:
+        return
+    every = f"[{', '.join(moving[:20])}]" if wanted == "joints" else (moving or ["hip"])[0]
+    yield _find(
+        sheet,
+        "CTL-E01",
+        Severity.ERROR,
+        controller,
+        what=f"the controller {quoted(controller.name.text)} names no joints",
+        here="simkit refuses to load the controller.",
+        gazebo=f"Could not find '{wanted}' parameter.",
+        remedy=f"Add {wanted}: {shown(every)}.",
+    )
 
 
 def _joint_faults(
-    sheet: Sheet, controller: Controller, offered: Mapping[str, str | None]
+    sheet: Sheet, controller: Controller, offered: Mapping[str, str | None], moving: list[str]
 ) -> Iterator[Diagnostic]:
     family = "" if controller.type is None else controller.type.text.partition("/")[0]
     needed = _NEEDED.get(family)
-    moving = moving_joints(sheet)
     for joint in controller.joints or ():
         entry = sheet.joint_by_name.get(joint.text)
         interface = offered.get(joint.text)

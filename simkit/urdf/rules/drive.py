@@ -14,7 +14,7 @@ _NEAR = 0.001
 "Wheels that are less apart than this [m] are in one place."
 _TOLD, _BAD = 0.02, 0.1
 "A size that is off by these shares is told, as a note and as a warning."
-_BACKWARDS = "told to drive forward (+linear.x), the robot drives backward"
+_ROLLS = '<axis xyz="0 1 0"/>'
 
 
 def wheels_on_wrong_side(sheet: Sheet) -> Iterator[Diagnostic]:
@@ -87,55 +87,45 @@ def wheel_sizes(sheet: Sheet) -> Iterator[Diagnostic]:
 def _side_fault(drive: Drive) -> tuple[Severity, Wheel, str, str] | None:
     """What is wrong with the sides: how bad, which wheel, what, and the remedy."""
     left, right = middle_of(drive.left), middle_of(drive.right)
-    across = [wheel for wheel in drive.wheels if abs(wheel.axis[1]) < 0.5 and any(wheel.axis)]
     first, base = drive.left[0], f"in {quoted(drive.base)}"
     if abs(left[1] - right[1]) < _NEAR:
         what = f"the left and the right wheel are not side by side: {triple(left)} and {triple(right)} {base}"
         return Severity.WARNING, first, what, "Put them apart along y, which points to the left."
+    across = [wheel for wheel in drive.wheels if abs(wheel.axis[1]) < 0.5 and any(wheel.axis)]
     if across:
-        name = quoted(across[0].joint.name)
-        what = f"the wheel of {name} turns about {triple(across[0].axis)} {base}: it cannot roll forward"
-        return (
-            Severity.WARNING,
-            across[0],
-            what,
-            'Let it turn about y: <axis xyz="0 1 0"/> in axes whose y points to the left.',
-        )
+        name, axis = quoted(across[0].joint.name), triple(across[0].axis)
+        what = f"the wheel of {name} turns about {axis} {base}: it cannot roll forward"
+        remedy = f"Let it turn about y: {_ROLLS} in axes whose y points to the left."
+        return Severity.WARNING, across[0], what, remedy
     turns = {wheel.axis[1] > 0.0 for wheel in drive.wheels}
-    is_swapped = left[1] < right[1]
-    places = f"y = {short(left[1])} m is to the right of y = {short(right[1])} m"
     if len(turns) > 1:
         what = "the wheels turn against each other: told to drive forward (+linear.x), the robot spins on the spot"
-        return (
-            Severity.WARNING,
-            first,
-            what,
-            "Give both wheels the same <axis>, in axes that point the same way.",
-        )
-    if is_swapped and turns == {False}:
+        remedy = "Give both wheels the same <axis>, in axes that point the same way."
+        return Severity.WARNING, first, what, remedy
+    is_swapped, is_forward = left[1] < right[1], turns == {True}
+    if is_swapped and is_forward:
+        return Severity.WARNING, first, *_swapped(drive, left[1], right[1])
+    if is_swapped:
         what = f"the front of the robot is at -x: its left wheel has y = {short(left[1])} m, and its wheels turn about -y"
         return Severity.NOTE, first, what, "Right if you mean so; by REP 103 x points to the front."
-    if is_swapped:
-        what = f"the left and the right wheel are swapped ({places}): told to turn left (+angular.z), the robot turns right"
-        return (
-            Severity.WARNING,
-            first,
-            what,
-            (
-                f"Swap the names: <leftJoint>{drive.right[0].joint.name}</leftJoint> and "
-                f"<rightJoint>{first.joint.name}</rightJoint>, or the signs of y in the two joints."
-            ),
-        )
-    if turns == {False}:
-        axis = first.joint.axis or (0.0, 0.0, 0.0)
-        flipped = triple((0.0 - axis[0], 0.0 - axis[1], 0.0 - axis[2]))
-        return (
-            Severity.WARNING,
-            first,
-            f"the wheels turn about -y: {_BACKWARDS}",
-            f'Turn the axes of both wheels round: <axis xyz="{flipped}"/>.',
-        )
-    return None
+    return None if is_forward else (Severity.WARNING, first, *_backward(first))
+
+
+def _swapped(drive: Drive, left: float, right: float) -> tuple[str, str]:
+    """What is wrong, and the remedy, if the left wheel is at the right and they roll forward; y of both [m]."""
+    places = f"y = {short(left)} m is to the right of y = {short(right)} m"
+    what = f"the left and the right wheel are swapped ({places}): told to turn left (+angular.z), the robot turns right"
+    names = [quoted(wheel.joint.name).strip("'") for wheel in (drive.right[0], drive.left[0])]
+    swap = f"<leftJoint>{names[0]}</leftJoint> and <rightJoint>{names[1]}</rightJoint>"
+    return what, f"Swap the names: {swap}, or the signs of y in the two joints."
+
+
+def _backward(wheel: Wheel) -> tuple[str, str]:
+    """What is wrong, and the remedy, if the wheels are on their sides and roll backward."""
+    x, y, z = wheel.joint.axis or (0.0, 0.0, 0.0)
+    turned = triple((0.0 - x, 0.0 - y, 0.0 - z))
+    what = "the wheels turn about -y: told to drive forward (+linear.x), the robot drives backward"
+    return what, f'Turn the axes of both wheels round: <axis xyz="{turned}"/>.'
 
 
 def _size(

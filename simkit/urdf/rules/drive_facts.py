@@ -83,8 +83,10 @@ class Drive:
 def drives(sheet: Sheet) -> list[Drive]:
     """The drive plugins of a robot whose wheels can be found."""
     found = []
-    plugins = [plugin for plugin in sheet.plugins if plugin.filename in _SIDES and is_whole(sheet)]
-    standing = zero_pose(sheet) if plugins else {}
+    plugins = [plugin for plugin in sheet.plugins if plugin.filename in _SIDES]
+    if not plugins or not is_whole(sheet):
+        return []
+    standing = zero_pose(sheet)
     for plugin in plugins[:20]:
         base = _base(sheet, plugin, standing)
         sides = [

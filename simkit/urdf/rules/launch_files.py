@@ -70,10 +70,11 @@ def description_missing(sheet: Sheet) -> Iterator[Diagnostic]:
         if any(_may_set_description(one) for one in launch.others):
             continue
         names = launch.names()
+        if not all(is_known(name) for name in names):
+            continue
+        given = {name.rpartition("/")[2] for name in names}
         for node, wanted in launch.readers():
-            if not is_known(wanted) or any(name.rpartition("/")[2] == wanted for name in names):
-                continue
-            if not all(is_known(name) for name in names):
+            if not is_known(wanted) or wanted in given:
                 continue
             near = sheet.near(wanted, names)
             yield sheet.find(

@@ -93,7 +93,7 @@ def _find(
         element=element,
         what=f"{called(joint.element)} {what}",
         remedy=remedy,
-        here="The joint stays at its offset.",
+        here="simkit does as ROS does.",
         gazebo="ROS accepts the file; joint_state_publisher ends with an error, or the joint does not move.",
     )
 

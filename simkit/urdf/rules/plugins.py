@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 
 from simkit.diagnostics import Diagnostic, Rule, Severity
@@ -255,8 +256,9 @@ def _bad_value(sheet: Sheet, element: Element, kind: Kind) -> Iterator[Diagnosti
 def _missing(sheet: Sheet, plugin: PluginEntry, word: PluginWord, name: str) -> Diagnostic:
     remedy = f"Add <{name}>...</{name}>."
     if word.parameters[name] is Kind.JOINTS:
-        names = [joint.name for joint in sheet.joints if joint.moves and joint.name]
-        remedy = f"Add <{name}>{shown(', '.join(names))}</{name}>."
+        names = (joint.name for joint in sheet.joints if joint.moves and joint.name)
+        some = ", ".join(itertools.islice(names, 20))
+        remedy = f"Add <{name}>{shown(some)}</{name}>."
     return sheet.find(
         "GZ-W10",
         Severity.WARNING,

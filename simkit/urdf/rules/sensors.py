@@ -15,7 +15,7 @@ from simkit.urdf.rules.plugin_words import PLUGINS, SENSOR_TYPES, SIMULATED_SENS
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import read_number, read_numbers
 from simkit.urdf.rules.wording import meant, quoted
-from simkit.urdf.rules.zero_pose import standing_shapes, zero_pose
+from simkit.urdf.rules.zero_pose import Standing, standing_shapes, zero_pose
 from simkit.xml import Element
 
 _TURN = 2.0 * math.pi * 1.05
@@ -80,6 +80,7 @@ def laser_inside(sheet: Sheet) -> Iterator[Diagnostic]:
     """
     rays = [(block, sensor) for block, sensor in _sensors(sheet) if sensor.get("type") in _RAYS]
     standing = zero_pose(sheet) if rays else {}
+    shapes = list(_shapes(sheet, standing)) if rays else []
     for block, sensor in rays[:50]:
         where = standing.get(block.reference or "")
         pose = _pose(sensor)
@@ -87,7 +88,7 @@ def laser_inside(sheet: Sheet) -> Iterator[Diagnostic]:
             continue
         eye = where.frame.then(Frame.of(pose))
         near = _number(sensor, "ray", "range", "min") or 0.0
-        for name, shape in _shapes(sheet):
+        for name, shape in shapes:
             if shape.depth(eye.origin) > 0.0 and _reaches_beyond(shape, eye, near):
                 yield sheet.find(
                     "LAS-W01",
@@ -231,8 +232,7 @@ def _pose(sensor: Element) -> Pose | None:
     return Pose((x, y, z), (roll, pitch, yaw))
 
 
-def _shapes(sheet: Sheet) -> Iterator[tuple[str, PlacedShape]]:
-    standing = zero_pose(sheet)
+def _shapes(sheet: Sheet, standing: dict[str, Standing]) -> Iterator[tuple[str, PlacedShape]]:
     for link in sheet.links[:_MOST_SHAPES]:
         for shape in standing_shapes(link.collisions, standing.get(link.name or "")):
             yield link.name or "", shape

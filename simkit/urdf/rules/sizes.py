@@ -82,7 +82,7 @@ def _negative(
         element=element,
         what=f"{attribute.name} {numbers_text(numbers)} in {part_of(element)} is negative",
         remedy=f'Write {attribute.name}="{right}". To move the shape, use <origin xyz="..."/>.',
-        here="The shape is left out of the picture and of the physics.",
+        here="simkit refuses to simulate the robot.",
         gazebo="ROS accepts it; RViz draws the shape inside out, Gazebo has no such shape.",
     )
 

@@ -188,17 +188,7 @@ def _interface_faults(
 ) -> Iterator[Diagnostic]:
     element = joint.child("hardwareInterface")
     if element is None:
-        below = any(one.child("hardwareInterface") for one in transmission.actuators)
-        where = ": it stands only in the <actuator>" if below else ""
-        yield sheet.find(
-            "CTL-E01",
-            bad,
-            joint,
-            what=f"the joint {quoted(joint.get('name'))} of the transmission has no <hardwareInterface>{where}",
-            here=_SKIPPED.replace("gazebo_ros_control", "simkit"),
-            gazebo=f"No valid hardware interface element found: {_SKIPPED}",
-            remedy=f"Add <hardwareInterface>{_PREFIX}{INTERFACES[0]}</hardwareInterface> to this <joint>.",
-        )
+        yield _no_interface(sheet, transmission, joint, bad)
         return
     text = element.text.strip()
     bare = text.removeprefix(_PREFIX)
@@ -227,6 +217,22 @@ def _interface_faults(
             gazebo="gazebo_ros_control takes it, and says: Deprecated syntax.",
             remedy=f"Write {_PREFIX}{shown(text)}.",
         )
+
+
+def _no_interface(
+    sheet: Sheet, transmission: TransmissionEntry, joint: Element, bad: Severity
+) -> Diagnostic:
+    below = any(one.child("hardwareInterface") for one in transmission.actuators)
+    where = ": it stands only in the <actuator>" if below else ""
+    return sheet.find(
+        "CTL-E01",
+        bad,
+        joint,
+        what=f"the joint {quoted(joint.get('name'))} of the transmission has no <hardwareInterface>{where}",
+        here=_SKIPPED.replace("gazebo_ros_control", "simkit"),
+        gazebo=f"No valid hardware interface element found: {_SKIPPED}",
+        remedy=f"Add <hardwareInterface>{_PREFIX}{INTERFACES[0]}</hardwareInterface> to this <joint>.",
+    )
 
 
 RULES = (

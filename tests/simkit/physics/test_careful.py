@@ -12,8 +12,8 @@ SECOND = 1_000_000_000
 
 
 def is_careful(world, name: str) -> bool:
-    careful = world._stepper.careful.get(name)
-    return careful is not None and careful.is_on
+    watch = world._stepper.watches.get(name)
+    return watch is not None and watch.careful.is_on
 
 
 @pytest.mark.parametrize(

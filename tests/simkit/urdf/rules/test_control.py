@@ -13,7 +13,8 @@ ROBOT = """<link name="base"/><link name="torso"/><link name="arm"/><link name="
 """
 POSITION = "hardware_interface/PositionJointInterface"
 CONTROL = '<gazebo><plugin name="control" filename="libgazebo_ros_control.so"/></gazebo>\n'
-STATES = '<gazebo><plugin name="s" filename="libgazebo_ros_joint_state_publisher.so">\n<jointName>{}</jointName></plugin></gazebo>'
+STATES = """<gazebo><plugin name="s" filename="libgazebo_ros_joint_state_publisher.so">
+<jointName>{}</jointName></plugin></gazebo>"""
 
 
 def transmission(joint, interface=POSITION, number=0):
@@ -45,14 +46,38 @@ def test_a_robot_whose_three_places_agree(told):
     [
         ('"hip"', '"hipp"', 9, "for 'hipp', and there is no such joint", "'hip'"),
         ('"hip"', '"stiff"', 9, "for 'stiff', a fixed joint", "Leave out the transmission"),
-        (f"\n<hardwareInterface>{POSITION}</hardwareInterface>", "", 9, "'hip' of the transmission has no <hardwareInterface>", POSITION),
-        (POSITION, "hardware_interface/PositionJointInterfase", 10, "no hardware interface", f"'{POSITION}'"),
+        (
+            f"\n<hardwareInterface>{POSITION}</hardwareInterface>",
+            "",
+            9,
+            "'hip' of the transmission has no <hardwareInterface>",
+            POSITION,
+        ),
+        (
+            POSITION,
+            "hardware_interface/PositionJointInterfase",
+            10,
+            "no hardware interface",
+            f"'{POSITION}'",
+        ),
         (POSITION, "magic", 10, "no hardware interface 'magic'", POSITION),
         (' name="tran0"', "", 7, 'lacks the attribute name="..."', "name"),
-        ("<type>transmission_interface/SimpleTransmission</type>", "", 7, "'tran0' lacks <type>", "SimpleTransmission"),
-        ('<actuator name="motor0"><mechanicalReduction>1</mechanicalReduction></actuator>', "", 7, "lacks <actuator", "<actuator"),
+        (
+            "<type>transmission_interface/SimpleTransmission</type>",
+            "",
+            7,
+            "'tran0' lacks <type>",
+            "SimpleTransmission",
+        ),
+        (
+            '<actuator name="motor0"><mechanicalReduction>1</mechanicalReduction></actuator>',
+            "",
+            7,
+            "lacks <actuator",
+            "<actuator",
+        ),
     ],
-)  # fmt: skip
+)
 def test_transmissions_that_are_skipped(told, right, wrong, line, what, remedy):
     one_of_them = transmission("hip")
     assert right in one_of_them
@@ -98,13 +123,37 @@ def test_transmissions_and_plugin_need_each_other(told):
     [
         ("- shoulder", "- sholder", 5, "moves 'sholder', and there is no such joint", "'shoulder'"),
         ("- shoulder", "- stiff", 5, "no transmission offers 'stiff'", "PositionJointInterface"),
-        ("position_controllers", "effort_controllers", 4, "needs EffortJointInterface, and the transmission of 'hip' offers 'PositionJointInterface'", "position_controllers/JointTrajectoryController"),
-        ("JointTrajectory", "JointTrajektory", 2, "no controller of type", "'position_controllers/JointTrajectoryController'"),
-        ('  type: "position_controllers/JointTrajectoryController"\n', "", 1, "'arm_controller' has no type", "Add type:"),
-        ("  joints:\n    - hip\n    - shoulder\n", "", 1, "names no joints", "Add joints: [hip, shoulder]"),
+        (
+            "position_controllers",
+            "effort_controllers",
+            4,
+            "needs EffortJointInterface, and the transmission of 'hip' offers 'PositionJointInterface'",
+            "position_controllers/JointTrajectoryController",
+        ),
+        (
+            "JointTrajectory",
+            "JointTrajektory",
+            2,
+            "no controller of type",
+            "'position_controllers/JointTrajectoryController'",
+        ),
+        (
+            '  type: "position_controllers/JointTrajectoryController"\n',
+            "",
+            1,
+            "'arm_controller' has no type",
+            "Add type:",
+        ),
+        (
+            "  joints:\n    - hip\n    - shoulder\n",
+            "",
+            1,
+            "names no joints",
+            "Add joints: [hip, shoulder]",
+        ),
         ("    - hip", "\t- hip", 4, "the file is no YAML", "not with tabs"),
     ],
-)  # fmt: skip
+)
 def test_controllers_that_do_not_fit(told, right, wrong, line, what, remedy):
     assert right in ARM
     one = told(ROBOT + CONTROL + BOTH, "CTL-E01", yaml=ARM.replace(right, wrong))[0]

@@ -13,7 +13,23 @@ def test_degrees(angle):
 
 
 @pytest.mark.parametrize(
-    "angle", [0, 10, 100, 6.80678, 9.25025, 1.57, -3.14159, 2 * math.pi, 6.2832, 12.566, -4 * math.pi, 9.4248, 1000, 1e16]
+    "angle",
+    [
+        0,
+        10,
+        100,
+        6.80678,
+        9.25025,
+        1.57,
+        -3.14159,
+        2 * math.pi,
+        6.2832,
+        12.566,
+        -4 * math.pi,
+        9.4248,
+        1000,
+        1e16,
+    ],
 )
 def test_radians_turns_and_no_limit_at_all(angle):
     assert not look_like_degrees(angle)

@@ -6,7 +6,8 @@ import pytest
 
 from simkit.diagnostics import Severity
 
-BODY = """<link name="chassis"><inertial><mass value="5"/><inertia ixx="0.04" ixy="0" ixz="0" iyy="0.11" iyz="0" izz="0.14"/></inertial>
+BODY = """<link name="chassis">
+<inertial><mass value="5"/><inertia ixx="0.04" ixy="0" ixz="0" iyy="0.11" iyz="0" izz="0.14"/></inertial>
 <collision><geometry><box size="0.5 0.2 0.07"/></geometry></collision></link>
 """
 
@@ -55,8 +56,14 @@ def of_drives(found):
         car(diff(left="right", right="left"), left="0 -0.15 0", right="0 0.15 0"),
         car(diff(left="left", right="nothing")),
     ],
-    ids=["straight", "turned joints", "rounded", "names are only names", "a missing joint is told elsewhere"],
-)  # fmt: skip
+    ids=[
+        "straight",
+        "turned joints",
+        "rounded",
+        "names are only names",
+        "a missing joint is told elsewhere",
+    ],
+)
 def test_robots_that_drive_as_they_are_told(told, text):
     assert of_drives(told(text)) == []
 
@@ -64,15 +71,38 @@ def test_robots_that_drive_as_they_are_told(told, text):
 @pytest.mark.parametrize(
     ("text", "what", "remedy"),
     [
-        (car(left="0 -0.15 0", right="0 0.15 0"), "the robot turns right", "<leftJoint>right</leftJoint>"),
+        (
+            car(left="0 -0.15 0", right="0 0.15 0"),
+            "the robot turns right",
+            "<leftJoint>right</leftJoint>",
+        ),
         (car(axis="0 -1 0"), "the robot drives backward", '<axis xyz="0 1 0"/>'),
-        (car(rpy="1.570796 0 0", axis="0 0 1"), "the robot drives backward", '<axis xyz="0 0 -1"/>'),
-        (diff() + BODY + wheel("left", "0 0.15 0") + wheel("right", "0 -0.15 0", axis="0 -1 0"), "spins on the spot", "the same <axis>"),
-        (car(axis="1 0 0"), "turns about 1 0 0 in 'chassis': it cannot roll forward", '<axis xyz="0 1 0"/>'),
+        (
+            car(rpy="1.570796 0 0", axis="0 0 1"),
+            "the robot drives backward",
+            '<axis xyz="0 0 -1"/>',
+        ),
+        (
+            diff() + BODY + wheel("left", "0 0.15 0") + wheel("right", "0 -0.15 0", axis="0 -1 0"),
+            "spins on the spot",
+            "the same <axis>",
+        ),
+        (
+            car(axis="1 0 0"),
+            "turns about 1 0 0 in 'chassis': it cannot roll forward",
+            '<axis xyz="0 1 0"/>',
+        ),
         (car(left="0.15 0 0", right="-0.15 0 0"), "not side by side", "Put them apart along y"),
     ],
-    ids=["swapped", "backward", "backward, turned", "against each other", "about x", "one behind the other"],
-)  # fmt: skip
+    ids=[
+        "swapped",
+        "backward",
+        "backward, turned",
+        "against each other",
+        "about x",
+        "one behind the other",
+    ],
+)
 def test_sides(told, text, what, remedy):
     (one,) = told(text, "GZ-W02")
     assert one.severity is Severity.WARNING
@@ -87,7 +117,10 @@ def test_a_robot_whose_front_is_at_minus_x_is_only_worth_a_note(told):
 
 
 def test_sides_are_those_of_the_base_frame(told):
-    turned = '<link name="base"/><joint name="j" type="fixed"><origin rpy="0 0 3.141593"/><parent link="base"/><child link="chassis"/></joint>'
+    turned = (
+        '<link name="base"/><joint name="j" type="fixed"><origin rpy="0 0 3.141593"/>'
+        '<parent link="base"/><child link="chassis"/></joint>'
+    )
     assert told(turned + car(), "GZ-W02") == []
     seen_from_base = diff().replace("<robotBaseFrame>chassis<", "<robotBaseFrame>base<")
     (one,) = told(turned + car(seen_from_base), "GZ-W02")
@@ -97,13 +130,43 @@ def test_sides_are_those_of_the_base_frame(told):
 @pytest.mark.parametrize(
     ("plugin", "severity", "what", "here", "remedy"),
     [
-        (diff(separation="0.4"), Severity.WARNING, "0.4 m, but the wheels are 0.3 m apart", "turns 1.333 times", "<wheelSeparation>0.3<"),
-        (diff(separation="0.31"), Severity.NOTE, "0.31 m", "turns 1.033 times", "<wheelSeparation>0.3<"),
-        (diff(separation=""), Severity.WARNING, "is not given, so 0.34 m", "turns 1.133 times", "<wheelSeparation>0.3<"),
-        (diff(diameter="0.1"), Severity.WARNING, "diameter of 0.2 m (radius 0.1 m)", "drives 2 times", "<wheelDiameter>0.2<"),
-        (diff(diameter=""), Severity.WARNING, "is not given, so 0.15 m", "drives 1.333 times", "<wheelDiameter>0.2<"),
+        (
+            diff(separation="0.4"),
+            Severity.WARNING,
+            "0.4 m, but the wheels are 0.3 m apart",
+            "turns 1.333 times",
+            "<wheelSeparation>0.3<",
+        ),
+        (
+            diff(separation="0.31"),
+            Severity.NOTE,
+            "0.31 m",
+            "turns 1.033 times",
+            "<wheelSeparation>0.3<",
+        ),
+        (
+            diff(separation=""),
+            Severity.WARNING,
+            "is not given, so 0.34 m",
+            "turns 1.133 times",
+            "<wheelSeparation>0.3<",
+        ),
+        (
+            diff(diameter="0.1"),
+            Severity.WARNING,
+            "diameter of 0.2 m (radius 0.1 m)",
+            "drives 2 times",
+            "<wheelDiameter>0.2<",
+        ),
+        (
+            diff(diameter=""),
+            Severity.WARNING,
+            "is not given, so 0.15 m",
+            "drives 1.333 times",
+            "<wheelDiameter>0.2<",
+        ),
     ],
-)  # fmt: skip
+)
 def test_sizes(told, plugin, severity, what, here, remedy):
     (one,) = told(car(plugin), "GZ-W03")
     assert one.severity is severity
@@ -159,7 +222,8 @@ def test_wheels_that_are_strong_enough(told, torque, friction):
     assert told(weak(torque, friction), "GZ-W04") == []
 
 
-CASTER = """<link name="caster"><inertial><mass value="0.1"/><inertia ixx="0.0001" ixy="0" ixz="0" iyy="0.0001" iyz="0" izz="0.0001"/></inertial>
+CASTER = """<link name="caster">
+<inertial><mass value="0.1"/><inertia ixx="0.0001" ixy="0" ixz="0" iyy="0.0001" iyz="0" izz="0.0001"/></inertial>
 <collision><geometry><sphere radius="0.05"/></geometry></collision></link>
 <joint name="caster_joint" type="{}"><origin xyz="0.2 0 -0.05"/><parent link="chassis"/><child link="caster"/></joint>
 """

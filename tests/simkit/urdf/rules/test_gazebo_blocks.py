@@ -43,14 +43,50 @@ def test_references_that_are_there(told, reference):
     ("inside", "reference", "severity", "what", "remedy"),
     [
         ("<mu>1</mu>", "chassis", Severity.WARNING, "<mu> is no tag", "<mu1>"),
-        ("<selfColide>true</selfColide>", "chassis", Severity.WARNING, "<selfColide>", "<selfCollide>"),
-        ("<mu1>slippery</mu1>", "chassis", Severity.WARNING, "holds no number: 'slippery'", "<mu1>1.0</mu1>"),
-        ("<turnGravityOff>on</turnGravityOff>", "chassis", Severity.WARNING, "neither true nor false: 'on'", "true"),
-        ("<mu1>1</mu1>", "laser_joint", Severity.NOTE, "<mu1> is for links, and 'laser_joint' is a joint", "names a link"),
-        ("<provideFeedback>true</provideFeedback>", "chassis", Severity.NOTE, "is for joints", "names a joint"),
-        ("<mu1>1</mu1>", "", Severity.WARNING, "<mu1> needs a link that it belongs to", "names a link"),
+        (
+            "<selfColide>true</selfColide>",
+            "chassis",
+            Severity.WARNING,
+            "<selfColide>",
+            "<selfCollide>",
+        ),
+        (
+            "<mu1>slippery</mu1>",
+            "chassis",
+            Severity.WARNING,
+            "holds no number: 'slippery'",
+            "<mu1>1.0</mu1>",
+        ),
+        (
+            "<turnGravityOff>on</turnGravityOff>",
+            "chassis",
+            Severity.WARNING,
+            "neither true nor false: 'on'",
+            "true",
+        ),
+        (
+            "<mu1>1</mu1>",
+            "laser_joint",
+            Severity.NOTE,
+            "<mu1> is for links, and 'laser_joint' is a joint",
+            "names a link",
+        ),
+        (
+            "<provideFeedback>true</provideFeedback>",
+            "chassis",
+            Severity.NOTE,
+            "is for joints",
+            "names a joint",
+        ),
+        (
+            "<mu1>1</mu1>",
+            "",
+            Severity.WARNING,
+            "<mu1> needs a link that it belongs to",
+            "names a link",
+        ),
     ],
-)  # fmt: skip
+)
 def test_tags_without_effect(told, inside, reference, severity, what, remedy):
     (one,) = told(block(inside, reference), "GZ-W12")
     assert (one.severity, one.span.line, one.span.column) == (severity, 5, 2)

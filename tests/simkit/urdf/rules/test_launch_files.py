@@ -63,12 +63,32 @@ def test_files_of_the_book_have_only_notes(told):
     ("inside", "line", "what", "remedy"),
     [
         ([STATE_NODE], 2, "'rsp' needs the parameter 'robot_description'", "robot.urdf"),
-        ([PARAM.replace("description", "descripton"), STATE_NODE], 3, "'rsp' needs", "'robot_descripton'"),
-        ([PARAM, SPAWN.format("my_robot")], 3, "'spawn' needs the parameter 'my_robot'", "my_robot"),
-        (['<node name="n" pkg="a" type="b">', PARAM, "</node>", STATE_NODE], 5, "'rsp' needs", "robot_description"),
-        (['<include file="$(find gazebo_ros)/launch/empty_world.launch"/>', STATE_NODE], 3, "'rsp' needs", "robot.urdf"),
+        (
+            [PARAM.replace("description", "descripton"), STATE_NODE],
+            3,
+            "'rsp' needs",
+            "'robot_descripton'",
+        ),
+        (
+            [PARAM, SPAWN.format("my_robot")],
+            3,
+            "'spawn' needs the parameter 'my_robot'",
+            "my_robot",
+        ),
+        (
+            ['<node name="n" pkg="a" type="b">', PARAM, "</node>", STATE_NODE],
+            5,
+            "'rsp' needs",
+            "robot_description",
+        ),
+        (
+            ['<include file="$(find gazebo_ros)/launch/empty_world.launch"/>', STATE_NODE],
+            3,
+            "'rsp' needs",
+            "robot.urdf",
+        ),
     ],
-)  # fmt: skip
+)
 def test_a_description_that_is_not_there(told, inside, line, what, remedy):
     (one,) = told(ROBOT, "LCH-E03", launch=launch(*inside))
     assert (one.severity, one.file, one.span.line) == (Severity.ERROR, "robot.launch", line)

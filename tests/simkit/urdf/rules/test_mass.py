@@ -10,13 +10,20 @@ from simkit.diagnostics import Severity
 from simkit.urdf import Cylinder, load_robot
 from simkit.urdf.inertia import shape_tensor
 
-BODY = '<inertial><mass value="2"/><inertia ixx="0.0133" ixy="0" ixz="0" iyy="0.0133" iyz="0" izz="0.0133"/></inertial>'
+BODY = (
+    '<inertial><mass value="2"/>'
+    '<inertia ixx="0.0133" ixy="0" ixz="0" iyy="0.0133" iyz="0" izz="0.0133"/></inertial>'
+)
 BOX = '<collision><geometry><box size="0.2 0.2 0.2"/></geometry></collision>'
-POLE = '<collision><origin xyz="0 0 0.2"/><geometry><cylinder radius="0.05" length="0.4"/></geometry></collision>'
+POLE = (
+    '<collision><origin xyz="0 0 0.2"/>'
+    '<geometry><cylinder radius="0.05" length="0.4"/></geometry></collision>'
+)
 
 
 def joint(parent, child, kind="continuous"):
-    return f'<joint name="{child}_joint" type="{kind}"><parent link="{parent}"/><child link="{child}"/><axis xyz="0 0 1"/></joint>'
+    ends = f'<parent link="{parent}"/><child link="{child}"/>'
+    return f'<joint name="{child}_joint" type="{kind}">{ends}<axis xyz="0 0 1"/></joint>'
 
 
 def link(name, inside=""):

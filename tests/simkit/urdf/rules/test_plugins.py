@@ -8,7 +8,8 @@ from simkit.diagnostics import Severity
 from simkit.urdf.rules.plugin_words import NOT_HERE, PLUGINS, Kind
 
 MASS = '<inertial><mass value="1"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial>'
-ROBOT = f"""<link name="base_link">{MASS}</link><link name="left_wheel">{MASS}</link><link name="right_wheel">{MASS}</link><link name="mast"/>
+ROBOT = f"""<link name="base_link">{MASS}</link><link name="left_wheel">{MASS}</link>
+<link name="right_wheel">{MASS}</link><link name="mast"/>
 <joint name="left" type="continuous"><parent link="base_link"/><child link="left_wheel"/><axis xyz="0 1 0"/></joint>
 <joint name="right" type="continuous"><parent link="base_link"/><child link="right_wheel"/><axis xyz="0 1 0"/></joint>
 <joint name="stiff" type="fixed"><parent link="base_link"/><child link="mast"/></joint>
@@ -19,7 +20,7 @@ DRIVE = """<leftJoint>left</leftJoint>
 
 
 def model(filename, inside=""):
-    """A robot with a plugin on line 6, and what is in it from line 7 on."""
+    """A robot with a plugin on line 7, and what is in it from line 8 on."""
     return ROBOT + f'<gazebo><plugin name="p" filename="{filename}">\n{inside}\n</plugin></gazebo>'
 
 
@@ -39,16 +40,20 @@ def diff(inside=DRIVE):
     [
         ("libgazebo_ros_difdrive.so", Severity.WARNING, "'libgazebo_ros_diff_drive.so'"),
         ("gazebo_ros_control", Severity.WARNING, "'libgazebo_ros_control.so'"),
-        ("libgazebo_ros_joint_state_publishr.so", Severity.WARNING, "'libgazebo_ros_joint_state_publisher.so'"),
+        (
+            "libgazebo_ros_joint_state_publishr.so",
+            Severity.WARNING,
+            "'libgazebo_ros_joint_state_publisher.so'",
+        ),
         ("libgazebo_ros_camera.so", Severity.NOTE, "'gazebo_ros_diff_drive'"),
         ("libmy_own_plugin.so", Severity.NOTE, "simkit has"),
         ("gz-sim-diff-drive-system", Severity.NOTE, "In ROS 1 take"),
         ("libgazebo_ros2_control.so", Severity.NOTE, "In ROS 1 take"),
     ],
-)  # fmt: skip
+)
 def test_plugins_that_simkit_does_not_have(told, filename, severity, words):
     (one,) = told(model(filename), "GZ-E08")
-    assert (one.severity, one.span.line) == (severity, 6)
+    assert (one.severity, one.span.line) == (severity, 7)
     assert one.source[one.span.column - 1 :].startswith(filename)
     assert words in one.remedy
 
@@ -91,15 +96,23 @@ def test_a_drive_in_the_block_of_a_link_does_not_run(told):
     ("wrong", "severity", "remedy"),
     [
         ("<torque>0.1</torque>", Severity.WARNING, "<wheelTorque>0.1</wheelTorque>"),
-        ("<wheel_separation>0.3</wheel_separation>", Severity.WARNING, "<wheelSeparation>0.3</wheelSeparation>"),
-        ("<wheelSeperation>0.3</wheelSeperation>", Severity.WARNING, "<wheelSeparation>0.3</wheelSeparation>"),
+        (
+            "<wheel_separation>0.3</wheel_separation>",
+            Severity.WARNING,
+            "<wheelSeparation>0.3</wheelSeparation>",
+        ),
+        (
+            "<wheelSeperation>0.3</wheelSeperation>",
+            Severity.WARNING,
+            "<wheelSeparation>0.3</wheelSeparation>",
+        ),
         ("<alwaysOn>true</alwaysOn>", Severity.NOTE, "Leave it out."),
         ("<zebra>1</zebra>", Severity.NOTE, "Leave it out."),
     ],
-)  # fmt: skip
+)
 def test_parameters_that_are_not_read(told, wrong, severity, remedy):
     (one,) = told(diff(f"{DRIVE}\n{wrong}"), "GZ-W10")
-    assert (one.severity, one.span.line) == (severity, 10)
+    assert (one.severity, one.span.line) == (severity, 11)
     assert remedy in one.remedy
 
 
@@ -114,7 +127,7 @@ def test_parameters_that_are_not_read(told, wrong, severity, remedy):
 )
 def test_values_that_a_plugin_cannot_use(told, wrong, what):
     (one,) = told(diff(f"{DRIVE}\n{wrong}"), "GZ-W10")
-    assert (one.severity, one.span.line) == (Severity.WARNING, 10)
+    assert (one.severity, one.span.line) == (Severity.WARNING, 11)
     assert what in one.what
 
 
@@ -131,12 +144,32 @@ def test_a_parameter_that_must_be_there(told):
 @pytest.mark.parametrize(
     ("inside", "severity", "what", "remedy"),
     [
-        (DRIVE.replace(">left<", ">lef<"), Severity.ERROR, "<leftJoint> names 'lef', and there is no such joint", "'left'"),
-        (DRIVE.replace(">left<", ">stiff<"), Severity.ERROR, "<leftJoint> names 'stiff', which is a fixed joint", "'left', 'right'"),
-        (DRIVE.replace("<leftJoint>left</leftJoint>", ""), Severity.ERROR, "<leftJoint> is missing, so the plugin looks for a joint 'left_joint'", "'left'"),
-        (DRIVE.replace(">base_link<", ">base<"), Severity.WARNING, "<robotBaseFrame> names 'base', and no link has that name", "'base_link'"),
+        (
+            DRIVE.replace(">left<", ">lef<"),
+            Severity.ERROR,
+            "<leftJoint> names 'lef', and there is no such joint",
+            "'left'",
+        ),
+        (
+            DRIVE.replace(">left<", ">stiff<"),
+            Severity.ERROR,
+            "<leftJoint> names 'stiff', which is a fixed joint",
+            "'left', 'right'",
+        ),
+        (
+            DRIVE.replace("<leftJoint>left</leftJoint>", ""),
+            Severity.ERROR,
+            "<leftJoint> is missing, so the plugin looks for a joint 'left_joint'",
+            "'left'",
+        ),
+        (
+            DRIVE.replace(">base_link<", ">base<"),
+            Severity.WARNING,
+            "<robotBaseFrame> names 'base', and no link has that name",
+            "'base_link'",
+        ),
     ],
-)  # fmt: skip
+)
 def test_names_of_nothing(told, inside, severity, what, remedy):
     (one,) = told(diff(inside), "GZ-E09")
     assert one.severity is severity

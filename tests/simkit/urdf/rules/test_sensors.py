@@ -39,8 +39,20 @@ def test_a_laser_with_sense(told):
     [
         ("720", "0", 8, "<samples> is '0'", "at least 1"),
         ("720", "many", 8, "<samples> is 'many'", "at least 1"),
-        ("<min_angle>-1.57", "<min_angle>-90", 9, "<min_angle> is -90, which is -14.32 turns", "-90° = -1.571"),
-        ("<min_angle>-1.57", "<min_angle>2", 9, "<min_angle> is 2, and <max_angle> is 1.57", "<min_angle>"),
+        (
+            "<min_angle>-1.57",
+            "<min_angle>-90",
+            9,
+            "<min_angle> is -90, which is -14.32 turns",
+            "-90° = -1.571",
+        ),
+        (
+            "<min_angle>-1.57",
+            "<min_angle>2",
+            9,
+            "<min_angle> is 2, and <max_angle> is 1.57",
+            "<min_angle>",
+        ),
         ("<min>0.1", "<min>20", 12, "<min> is 20, and <max> is 10", "<min>"),
         ("<max>10.0", "<max>far", 12, "<max> is no number: 'far'", "a number"),
         (">gaussian<", ">gausian<", 13, "no noise of type 'gausian'", "gaussian"),
@@ -50,7 +62,7 @@ def test_a_laser_with_sense(told):
         ('type="ray" ', "", 4, "has no type", 'type="ray"'),
         ("<horizontal>", "<horizontl>", 4, "one beam", "<samples>"),
     ],
-)  # fmt: skip
+)
 def test_values_without_sense(told, right, wrong, line, what, remedy):
     assert right in LASER
     changed = LASER.replace(right, wrong)
@@ -74,7 +86,10 @@ def test_sensors_that_say_nothing_and_sensors_that_are_not_simulated(told):
     (one,) = told(robot(silent), "GZ-W14")
     assert one.severity is Severity.NOTE
     assert "libgazebo_ros_laser.so" in one.remedy
-    camera = '<gazebo reference="eye"><sensor type="camera" name="c"><plugin name="p" filename="libgazebo_ros_camera.so"/></sensor></gazebo>'
+    camera = (
+        '<gazebo reference="eye"><sensor type="camera" name="c">'
+        '<plugin name="p" filename="libgazebo_ros_camera.so"/></sensor></gazebo>'
+    )
     (one,) = told(robot(camera), "GZ-W14")
     assert one.severity is Severity.NOTE
 
@@ -84,9 +99,13 @@ def test_sensors_that_say_nothing_and_sensors_that_are_not_simulated(told):
     [
         (LASER, "0 0 0", "0.1 m deep"),
         (LASER, "0.15 0 0.05", "0.05 m deep"),
-        (LASER.replace("<update_rate>", "<pose>0 0 -0.15 0 0 0</pose><update_rate>"), "0 0 0.2", "0.05 m deep"),
+        (
+            LASER.replace("<update_rate>", "<pose>0 0 -0.15 0 0 0</pose><update_rate>"),
+            "0 0 0.2",
+            "0.05 m deep",
+        ),
     ],
-)  # fmt: skip
+)
 def test_a_laser_inside_of_the_body(told, laser, xyz, depth):
     (one,) = told(robot(laser, xyz), "LAS-W01")
     assert (one.severity, one.span.line) == (Severity.WARNING, 4)

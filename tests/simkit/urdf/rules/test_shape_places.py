@@ -6,7 +6,10 @@ import pytest
 
 from simkit.diagnostics import Severity
 
-MASS = '<inertial><origin xyz="{}"/><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>'
+MASS = (
+    '<inertial><origin xyz="{}"/><mass value="1"/>'
+    '<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>'
+)
 BOX = '<geometry><box size="0.4 0.2 0.1"/></geometry>'
 BALL = '<geometry><sphere radius="0.05"/></geometry>'
 POLE = '<geometry><cylinder radius="0.05" length="0.4"/></geometry>'
@@ -97,12 +100,24 @@ def test_seen_here_and_touched_there(told, shape, visual, collision, distance):
         [seen(POLE, "0 0 0.2"), touched(POLE, "0 0 0.2")],
         [seen(POLE, rpy="1.570796 0 0"), touched(POLE, rpy="-1.570796 0 0")],
         [seen(POLE, "0 0 0.2"), touched(BOX, "0 0 0.21")],
-        [seen(BALL, "0 0.3 0"), seen(BALL, "0 -0.3 0"), touched(BALL, "0 -0.3 0"), touched(BALL, "0 0.3 0")],
+        [
+            seen(BALL, "0 0.3 0"),
+            seen(BALL, "0 -0.3 0"),
+            touched(BALL, "0 -0.3 0"),
+            touched(BALL, "0 0.3 0"),
+        ],
         [seen('<geometry><mesh filename="package://p/m.stl"/></geometry>'), touched(BOX, "1 0 0")],
         [seen(BALL), seen(BOX, "1 0 0"), touched(BOX, "1 0 0")],
     ],
-    ids=["the same", "turned about its axis", "roughly", "in another order", "a mesh", "less is touched"],
-)  # fmt: skip
+    ids=[
+        "the same",
+        "turned about its axis",
+        "roughly",
+        "in another order",
+        "a mesh",
+        "less is touched",
+    ],
+)
 def test_places_that_fit(told, parts):
     assert told(link(*parts), "URDF-I16") == []
 

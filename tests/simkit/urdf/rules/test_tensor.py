@@ -57,16 +57,36 @@ def test_inertias_that_may_be_so(told, text):
 @pytest.mark.parametrize(
     ("rule", "tensor", "words"),
     [
-        ("URDF-W11", inertia(0.0005, 0.0005, 0.01), "0.01 is more than the other two together, 0.0005 + 0.0005"),
-        ("URDF-W11", inertia(-0.0005, 0.0005, 0.001), "a principal moment is -0.0005, and must be more than 0"),
-        ("URDF-W11", inertia(0.0005, 0.0005, 0.001, ixy=0.0009), "without ixy, ixz and iyz it would be possible"),
+        (
+            "URDF-W11",
+            inertia(0.0005, 0.0005, 0.01),
+            "0.01 is more than the other two together, 0.0005 + 0.0005",
+        ),
+        (
+            "URDF-W11",
+            inertia(-0.0005, 0.0005, 0.001),
+            "a principal moment is -0.0005, and must be more than 0",
+        ),
+        (
+            "URDF-W11",
+            inertia(0.0005, 0.0005, 0.001, ixy=0.0009),
+            "without ixy, ixz and iyz it would be possible",
+        ),
         ("URDF-W41", inertia(0, 0, 0), "0.2 kg and an inertia of zero"),
         ("URDF-W42", inertia(1, 1, 1), "not of 0.2 kg that reaches 0.102 m"),
-        ("URDF-W13", inertia(0.0527, 0.0527, 0.1), "0.7071 m from the centre, and the link reaches 0.102 m; it fits a mass of 20"),
+        (
+            "URDF-W13",
+            inertia(0.0527, 0.0527, 0.1),
+            "0.7071 m from the centre, and the link reaches 0.102 m; it fits a mass of 20",
+        ),
         ("URDF-W43", inertia(0.00000527, 0.00000527, 0.00001), "100 times smaller"),
-        ("URDF-W47", inertia(0.000526667, 0.000526667, 0.0008), "cylinder of radius 0.1 and length 0.04 m, but for izz: 0.0008 instead of 0.001"),
+        (
+            "URDF-W47",
+            inertia(0.000526667, 0.000526667, 0.0008),
+            "cylinder of radius 0.1 and length 0.04 m, but for izz: 0.0008 instead of 0.001",
+        ),
     ],
-)  # fmt: skip
+)
 def test_inertias_that_are_told_once_with_the_values_of_the_shape(told, rule, tensor, words):
     (one,) = of_tensors(told(wheel(tensor)))
     assert (one.rule, one.severity, one.span.line) == (rule, Severity.WARNING, 4)

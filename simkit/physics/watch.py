@@ -1,0 +1,79 @@
+"""Watching: which models need attention in every step, and which have come to no good.
+
+A model that is calm at two looks can be left to the engine until the next one. One that is not, or
+could not be built, is looked at after each step: numbers that leave all bounds end the engine, and
+this program with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from simkit.physics.careful import Careful
+from simkit.physics.errors import PhysicsError
+from simkit.physics.model import Model
+from simkit.physics.tameness import is_tame
+
+LOOK_EVERY = 64
+"""Steps from one look to the next."""
+CALM_SPEED = 50.0
+"""A model none of whose coordinates is faster [rad/s or m/s] may be calm,"""
+CALM_CHANGE = 1e4
+"""if none changes its speed faster [rad/s^2 or m/s^2]."""
+BOUNDS = 1e7
+"""Coordinates beyond this [rad or m] are lost."""
+
+
+class LostModelError(PhysicsError):
+    """A model whose numbers left all bounds; it was taken out of its world."""
+
+    def __init__(self, model: str, time_ns: int) -> None:
+        self.model = model
+        self.time_ns = time_ns
+        super().__init__(
+            f"{model} flew apart at {time_ns * 1e-9:.3f} s and was taken out of the world: its masses, inertias, "
+            "springs or efforts are too extreme for the steps of the simulator; check them with check_urdf"
+        )
+
+
+class Watch:
+    """One model that moves, as it is watched.
+
+    Args:
+        model: The model.
+    """
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.careful = Careful(model.plan, model.built, model.led)
+        self._skeleton = model.built.skeleton
+        self._is_tame = is_tame(model.plan)
+        self._is_fresh = True
+
+    @property
+    def is_quiet(self) -> bool:
+        """Whether the engine can be left alone with it."""
+        return self.model.is_calm and not self.careful.is_on and not self.model.needs_attention
+
+    def start(self) -> None:
+        """Something was done to it: anything may happen."""
+        self.model.is_calm = False
+        self._is_fresh = True
+        self.careful.start()
+
+    def look(self) -> None:
+        """See what it does."""
+        velocities = self._skeleton.getVelocities().tolist()
+        self.careful.look(velocities)
+        self.model.is_calm = self._is_tame and not self._is_fresh and self._is_slow(velocities)
+        self._is_fresh = False
+
+    def _is_slow(self, velocities: Sequence[float]) -> bool:
+        changes = self._skeleton.getAccelerations().tolist()
+        return all(abs(v) < CALM_SPEED for v in velocities) and all(
+            abs(a) < CALM_CHANGE for a in changes
+        )
+
+    def is_lost(self) -> bool:
+        """Whether its numbers have left all bounds."""
+        return not all(abs(q) < BOUNDS for q in self._skeleton.getPositions().tolist())
