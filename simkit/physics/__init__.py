@@ -1,7 +1,8 @@
 """Physics: worlds in which robots fall, roll, swing and bump.
 
 `plan_robot` turns a URDF into a plan, as Gazebo would; a `World` makes a `Model` of a plan and moves it
-in steps of 1 ms. DART computes, and nobody outside of this package sees it.
+in steps of 1 ms. DART computes, and nobody outside of this package sees it. `simkit.physics.sdf` reads
+world files and models of Gazebo.
 
     world = World()
     arm = world.add(plan_robot(load_robot(text, file="arm.urdf")))

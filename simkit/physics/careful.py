@@ -7,14 +7,14 @@ takes each step about the middle: positions go half a step ahead, the change tha
 on the way (those that depend on the velocity) is added, the engine makes its step with all contacts
 and limits, and the positions go half a step back. That is a method of second order.
 
-The free arm of exercise 3.9 in 2 s, steps of 1 ms, against a reference solution (E is about 2 J of
-swing; `tests/simkit/physics/test_arm.py` holds it, `benchmarks/bench_physics.py` prints the costs):
+The free arm of exercise 3.9 in 2 s, steps of 1 ms, against a reference solution; it exchanges 3.9 J
+between height and motion (`benchmarks/bench_physics.py` prints it anew):
 
 | | energy is off by | hip, shoulder at 2 s are off by | cost of a step |
 |---|---|---|---|
 | plain steps | 0.11 J | 0.52, 0.17 rad | 1 |
 | plain steps, 8 times as many | 0.014 J | 0.063, 0.021 rad | 8 |
-| careful steps | 0.0003 J | 0.001, 0.001 rad | 4 to 6 |
+| careful steps | 0.0004 J | 0.0001, 0.0001 rad | 4 |
 
 What rolls, drives, stands or follows its commands does not swing, and is stepped plainly. What
 falls is stepped carefully too: then it keeps to the parabola.

@@ -1,7 +1,7 @@
 """DART, the physics engine: dartpy is imported here and nowhere else, when a world is made.
 
 Which collision detector? Measured with dartpy 6.20.0, steps of 1 ms, gravity 9.8, drift over 10 s at
-rest (`benchmarks/bench_physics.py` prints it anew). DART offers four:
+rest (`benchmarks/bench_physics.py` measures two rows anew). DART offers four:
 
 | at rest on the plane z = 0 | ode | bullet | fcl | dart |
 |---|---|---|---|---|

@@ -30,12 +30,13 @@ class Model:
 
     def __init__(
         self,
-        name: str,
         plan: ModelPlan,
         built: Built,
-        pose: Placement,
         *,
+        name: str,
+        pose: Placement,
         busy: dict[int, ModelJoint],
+        pushed: list[Any],
         touched: Callable[[], None],
     ) -> None:
         self.name = name
@@ -53,20 +54,19 @@ class Model:
         self.start = pose
         self.built = built
         self._touched = touched
-        self._mounts = {
-            link: (built.bodies[mount.body], Placement(mount.frame.origin, quaternion(mount.frame.rotation)))
-            for link, mount in plan.mounts.items()
-        }  # fmt: skip
+        self._mounts = _mounts(plan, built)
         roots = [one for one in plan.joints.values() if one.parent is None]
         self._roots = [(one, built.joints[one.name]) for one in roots]
-        self.is_free = not plan.is_static and all(one.kind is JointKind.FREE for one in roots)
+        is_loose = bool(roots) and all(one.kind is JointKind.FREE for one in roots)
+        self.is_free = is_loose and not plan.is_static
         """Whether it can go anywhere."""
         self._pose = pose
         self._to_model = Placement(REST, (0.0, 0.0, 0.0, 1.0))
         if roots:
-            at = roots[0].frame
-            self._to_model = inverse(Placement(at.origin, quaternion(at.rotation)))
-        self._pushed: list[Any] = []
+            self._to_model = inverse(_placement(roots[0].frame))
+        self._pushed = pushed
+        self.is_braked = any(one.decay > 0.0 for one in plan.bodies.values())
+        """Whether it loses velocity by itself."""
         self._braked = [built.bodies[one.name] for one in plan.bodies.values() if one.decay > 0.0]
 
     @property
@@ -78,11 +78,6 @@ class Model:
     def links(self) -> tuple[str, ...]:
         """The links that are simulated, by name."""
         return tuple(self._mounts)
-
-    @property
-    def needs_attention(self) -> bool:
-        """Whether something pushes or brakes it."""
-        return bool(self._pushed or self._braked)
 
     def falls(self, down: Any, speed: float) -> bool:
         """Whether it moves faster than a speed [m/s] in the direction of a unit vector of the world."""
@@ -257,15 +252,8 @@ class Model:
             body.addExtTorque(-share * moment @ angular, False)
             self._pushed.append(body)
 
-    def after_step(self) -> None:
-        """Forget the pushes."""
-        for body in self._pushed:
-            body.clearExternalForces()
-        self._pushed.clear()
-
     def reset(self) -> None:
         """Back to where it was added: pose, joints at rest, nothing commanded."""
-        self.after_step()
         for plan, joint in self._roots:
             place_joint(joint, plan, frame_of(self.start))
             if plan.kind is JointKind.FREE:
@@ -293,3 +281,15 @@ class Model:
             else:
                 at = turn.multiply(joint.getTransformFromParentBodyNode())
                 joint.setTransformFromParentBodyNode(at)
+
+
+def _mounts(plan: ModelPlan, built: Built) -> dict[str, tuple[Any, Placement]]:
+    """The body that each link is on, and where it is there."""
+    return {
+        link: (built.bodies[mount.body], _placement(mount.frame))
+        for link, mount in plan.mounts.items()
+    }
+
+
+def _placement(frame: Frame) -> Placement:
+    return Placement(frame.origin, quaternion(frame.rotation))

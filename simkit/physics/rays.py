@@ -7,6 +7,7 @@ hits it from within, as in Gazebo.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -51,7 +52,9 @@ class Hits:
     """Number of the target that each ray hits, (n,); -1 if none."""
 
 
-def cast(origins: Floats, directions: Floats, targets: Sequence[Target], reach: float) -> Hits:
+def cast(
+    origins: Floats, directions: Floats, *, targets: Sequence[Target], reach: float = math.inf
+) -> Hits:
     """Cast rays.
 
     Args:

@@ -37,7 +37,7 @@ class Built:
     """The shape nodes, by their names in the engine, with what they are."""
 
 
-def build(plan: ModelPlan, name: str, pose: Frame) -> Built:
+def build(plan: ModelPlan, *, name: str, pose: Frame) -> Built:
     """Build a model.
 
     Args:

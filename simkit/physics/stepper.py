@@ -31,6 +31,7 @@ class Stepper:
     def __init__(
         self,
         engine: Any,
+        *,
         step_ns: int,
         models: Mapping[str, Model],
         owners: Mapping[str, Owner],
@@ -40,6 +41,7 @@ class Stepper:
         self.after: list[Callable[[], None]] = []
         self.busy: dict[int, ModelJoint] = {}
         self.watches: dict[str, Watch] = {}
+        self.pushed: list[Any] = []
         self.step_ns = step_ns
         self.time_ns = 0
         self.has_contacts = False
@@ -70,6 +72,12 @@ class Stepper:
         """Shapes come, go or jump: the contacts of the last step mean nothing any more."""
         self.has_contacts = False
         self._engine.getConstraintSolver().clearLastCollisionResult()
+
+    def forget_pushes(self) -> None:
+        """Let go of all bodies that are pushed."""
+        for body in self.pushed:
+            body.clearExternalForces()
+        self.pushed.clear()
 
     def restart(self, *, time: bool) -> None:
         """Begin anew; the clock too if asked for."""
@@ -110,7 +118,7 @@ class Stepper:
 
     def _is_quiet(self) -> bool:
         """Whether the engine can make the next steps alone."""
-        if self.before or self.after or self.busy or self._to_lift:
+        if self.before or self.after or self.busy or self.pushed or self._to_lift:
             return False
         return all(watch.is_quiet for watch in self.watches.values())
 
@@ -126,11 +134,13 @@ class Stepper:
             hook()
         for joint in self.busy.values():
             joint.before_step(self._step_s)
+        careful = []
         for watch in self.watches.values():
-            watch.model.brake(self._step_s)
-        careful = [watch.careful for watch in self.watches.values() if watch.careful.is_on]
-        for one in careful:
-            one.lean(self._step_s)
+            if watch.model.is_braked:
+                watch.model.brake(self._step_s)
+            if watch.careful.is_on:
+                watch.careful.lean(self._step_s)
+                careful.append(watch.careful)
         self._engine.step(False)
         for one in careful:
             one.straighten(self._step_s)
@@ -142,13 +152,14 @@ class Stepper:
     def _tidy(self) -> None:
         for joint in tuple(self.busy.values()):
             joint.after_step()
-        for watch in tuple(self.watches.values()):
-            watch.model.after_step()
-            if not watch.model.is_calm and watch.is_lost():
-                self._remove(watch.model.name)
-                raise LostModelError(watch.model.name, self.time_ns)
+        if self.pushed:
+            self.forget_pushes()
         if self._to_lift:
             self._lift()
+        for name, watch in self.watches.items():
+            if not watch.model.is_calm and watch.is_lost():
+                self._remove(name)
+                raise LostModelError(name, self.time_ns)
 
     def _lift(self) -> None:
         """Take models out of what they stick in; after some time of it, leave them there."""

@@ -55,7 +55,11 @@ class World:
         self._sights: dict[str, Sight] = {}
         self._owners: dict[str, Owner] = {}
         self._stepper = Stepper(
-            self._engine, step_ns, self._models, self._owners, remove=self.remove
+            self._engine,
+            step_ns=step_ns,
+            models=self._models,
+            owners=self._owners,
+            remove=self.remove,
         )
         if ground:
             self.add(ground_plan())
@@ -125,14 +129,22 @@ class World:
             raise ModelError(
                 f"a model named {name} is already there: delete it, or choose another name"
             )
-        built = build(plan, name, frame_of(pose))
+        built = build(plan, name=name, pose=frame_of(pose))
         self._engine.addSkeleton(built.skeleton)
-        touched = self._stepper.touched
-        model = Model(name, plan, built, pose, busy=self._stepper.busy, touched=touched)
+        stepper = self._stepper
+        model = Model(
+            plan,
+            built,
+            name=name,
+            pose=pose,
+            busy=stepper.busy,
+            pushed=stepper.pushed,
+            touched=stepper.touched,
+        )
         self._models[name] = model
         self._enlist(model)
-        self._stepper.changed()
-        touched()
+        stepper.changed()
+        stepper.touched()
         return model
 
     def remove(self, name: str) -> None:
@@ -145,8 +157,8 @@ class World:
         self._stepper.changed()
         for joint in model.joints.values():
             joint.release()
+        bodies = model.built.bodies
         for one, other in shy_pairs(model.plan):
-            bodies = model.built.bodies
             self._filter().removeBodyNodePairFromBlackList(bodies[one], bodies[other])
         self._engine.removeSkeleton(model.built.skeleton)
         for label in self._sights.pop(name).labels:
@@ -194,6 +206,7 @@ class World:
         Args:
             time: Whether the clock goes back to 0 as well.
         """
+        self._stepper.forget_pushes()
         for model in self._models.values():
             model.reset()
         self._stepper.restart(time=time)
@@ -226,7 +239,9 @@ class World:
             Distances, and numbers of what is hit: places in `targets`.
         """
         targets = [target for sight in self._sights.values() for target in sight.targets()]
-        return cast(np.asarray(origins, float), np.asarray(directions, float), targets, reach)
+        return cast(
+            np.asarray(origins, float), np.asarray(directions, float), targets=targets, reach=reach
+        )
 
     @property
     def targets(self) -> tuple[Owner, ...]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import PurePosixPath
 
 from simkit.diagnostics import Diagnostic, Related, Rule, Severity
+from simkit.urdf.rules.companion import CompanionKind
 from simkit.urdf.rules.launch_facts import DESCRIPTION, LaunchFile, is_known, launch_files
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import shown
@@ -17,6 +18,7 @@ _KNOWN_INCLUDES = ("empty_world.launch",)
 "Launch files that set no description of a robot."
 _SUBSTITUTION = re.compile(r"\$\([^()]*\)")
 _PLUGIN = "libgazebo_ros_joint_state_publisher.so"
+_CONTROLLER = "joint_state_controller/JointStateController"
 
 
 def launch_xml(sheet: Sheet) -> Iterator[Diagnostic]:
@@ -217,21 +219,27 @@ def two_joint_states(sheet: Sheet) -> Iterator[Diagnostic]:
           </plugin>
         </gazebo>
     """
-    plugins = [one for one in sheet.plugins if one.filename == _PLUGIN]
+    told = [
+        sheet.related(one.element, "the plugin") for one in sheet.plugins if one.filename == _PLUGIN
+    ] + [
+        Related(file=one.file, span=Span(1, 1), text=f"has a {_CONTROLLER}")
+        for one in sheet.companions
+        if one.kind is CompanionKind.YAML and _CONTROLLER in one.text
+    ]
     for launch in launch_files(sheet):
         spawns = any(node.get("type") == "spawn_model" for node in launch.nodes)
         for node in launch.nodes:
-            if (node.get("type") or "").startswith("joint_state_publisher") and plugins and spawns:
+            if (node.get("type") or "").startswith("joint_state_publisher") and told and spawns:
                 yield sheet.find(
                     "CTL-W07",
                     Severity.WARNING,
                     node,
                     companion=launch.companion,
-                    what=f"node {quoted(node.get('name'))} and the plugin of the URDF both publish /joint_states",
+                    what=f"node {quoted(node.get('name'))} and the simulation both publish /joint_states",
                     here="The robot jumps between two poses in the view.",
                     gazebo="RViz shows the robot jumping between two poses.",
-                    remedy="Leave the node out when the robot is simulated: the plugin knows where the joints are.",
-                    related=[sheet.related(plugins[0].element, "the plugin")],
+                    remedy="Leave the node out when the robot is simulated: the simulation knows where the joints are.",
+                    related=told[:1],
                 )
 
 

@@ -118,12 +118,17 @@ def _lumped_link(sheet: Sheet, element: Element, value: str, lumped: dict[str, s
 
 def _no_frame(sheet: Sheet, plugin: PluginEntry, name: str, value: str) -> Diagnostic:
     element = plugin.parameter(name)
+    what = f"<{name}> names {quoted(value)}, and no link has that name"
+    if element is None:
+        what = (
+            f"<{name}> is missing, so the plugin takes {quoted(value)}, and no link has that name"
+        )
     return sheet.find(
         "GZ-E09",
         Severity.WARNING,
         plugin.element if element is None else element.text_span or element,
         element=element or plugin.element,
-        what=f"<{name}> names {quoted(value)}, and no link has that name",
+        what=what,
         here="Its messages are in a frame that TF does not know, so the view cannot place them.",
         gazebo="Its messages are in a frame that TF does not know, so RViz cannot show them.",
         remedy=_name_remedy(

@@ -67,6 +67,7 @@ _DRIVE = {
     "wheelSeparation": Kind.POSITIVE,
     "wheelDiameter": Kind.POSITIVE,
 }
+_BASE = {"robotBaseFrame": "base_footprint"}
 _RATE = {"robotNamespace": Kind.TEXT, "updateRate": Kind.NOT_NEGATIVE}
 
 _WORDS = (
@@ -87,7 +88,7 @@ _WORDS = (
             "legacyMode": Kind.BOOL,
             "rosDebugLevel": Kind.TEXT,
         },
-        defaults={"leftJoint": "left_joint", "rightJoint": "right_joint"},
+        defaults={**_BASE, "leftJoint": "left_joint", "rightJoint": "right_joint"},
         other_spellings={
             "torque": "wheelTorque",
             "max_wheel_torque": "wheelTorque",
@@ -124,6 +125,7 @@ _WORDS = (
             "covariance_yaw": Kind.NOT_NEGATIVE,
         },
         defaults={
+            **_BASE,
             "leftFrontJoint": "left_front_joint",
             "rightFrontJoint": "right_front_joint",
             "leftRearJoint": "left_rear_joint",
@@ -157,6 +159,7 @@ _WORDS = (
         filename="libgazebo_ros_laser.so",
         place=Place.RAY,
         parameters={"robotNamespace": Kind.TEXT, "topicName": Kind.TEXT, "frameName": Kind.FRAME},
+        defaults={"frameName": "/world"},
         other_spellings={"topic": "topicName", "frame_name": "frameName", "frame_id": "frameName"},
         unread=("alwaysOn", "updateRate", "gaussianNoise", "hokuyoMinIntensity"),
     ),

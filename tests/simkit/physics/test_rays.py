@@ -9,11 +9,16 @@ import pytest
 
 from simkit.physics import MISS, Plane
 from simkit.physics.mesh import TriangleMesh
-from simkit.physics.rays import Target, cast
+from simkit.physics.rays import Hits, Target
+from simkit.physics.rays import cast as cast_at
 from simkit.urdf import Box, Cylinder, Sphere
 from simkit.urdf.matrix import rotation_matrix
 
 BEAMS = 720
+
+
+def cast(origins, directions, targets, reach) -> Hits:
+    return cast_at(origins, directions, targets=targets, reach=reach)
 
 
 def fan(count: int = BEAMS, width: float = math.pi) -> np.ndarray:

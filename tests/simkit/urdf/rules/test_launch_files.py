@@ -132,6 +132,9 @@ def test_two_publishers_of_joint_states(told):
     assert one.related[0].file == "robot.urdf"
     assert told(STATES, "CTL-W07", launch=launch(PARAM, node)) == []
     assert told(ROBOT, "CTL-W07", launch=text) == []
+    yaml = "states:\n  type: joint_state_controller/JointStateController\n"
+    (one,) = told(ROBOT, "CTL-W07", launch=text, yaml=yaml)
+    assert one.related[0].file == "controllers.yaml"
 
 
 def test_anything_may_stand_in_a_launch_file(told):

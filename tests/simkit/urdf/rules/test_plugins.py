@@ -81,7 +81,7 @@ def test_the_table_fits_together():
             *word.parameters
         }
         assert not {*word.other_spellings, *word.unread} & {*word.parameters}
-        assert all(word.parameters[name] is Kind.JOINT for name in word.defaults)
+        assert all(word.parameters[name] in (Kind.JOINT, Kind.FRAME) for name in word.defaults)
     assert not NOT_HERE & {*PLUGINS}
 
 
@@ -175,6 +175,15 @@ def test_names_of_nothing(told, inside, severity, what, remedy):
     assert one.severity is severity
     assert what in one.what
     assert remedy in one.remedy
+
+
+def test_frames_that_a_plugin_takes_where_none_is_given(told):
+    base = "<robotBaseFrame>base_link</robotBaseFrame>"
+    (one,) = told(diff(DRIVE.replace(base, "")), "GZ-E09")
+    assert one.severity is Severity.WARNING
+    assert "so the plugin takes 'base_footprint', and no link has that name" in one.what
+    (one,) = told(sensor("libgazebo_ros_laser.so", "<topicName>scan</topicName>"), "GZ-E09")
+    assert "takes '/world'" in one.what
 
 
 def test_names_that_are_there(told):
