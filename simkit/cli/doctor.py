@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import platform
+import re
 import shutil
 import subprocess
 import sys
@@ -58,7 +59,7 @@ def run(_arguments: argparse.Namespace) -> int:
 
 def look_at_packages() -> Finding:
     """Versions of the Python packages that simkit stands on."""
-    names = [line.split(";")[0].split(">")[0].strip() for line in _required()]
+    names = [re.split(r"[ <>=!~;\[]", line)[0] for line in _required()]
     here, missing = [], []
     for name in names:
         try:
@@ -67,6 +68,18 @@ def look_at_packages() -> Finding:
             missing.append(name)
     text = f"pip install {' '.join(missing)}" if missing else ", ".join(here)
     return Finding(what="Python packages", works=not missing, text=text, needed=True)
+
+
+def look_at_physics() -> Finding:
+    """Whether the physics engine is there; it has no wheels for some platforms."""
+    try:
+        text = f"dartpy {version('dartpy')}"
+    except PackageNotFoundError:
+        text = (
+            "no dartpy: no simulator; it comes for Linux, and with Python 3.12 or newer for Windows and for macOS "
+            "on Apple silicon. All else works"
+        )
+    return Finding(what="physics", works=text.startswith("dartpy"), text=text, needed=False)
 
 
 def look_at_nodes() -> Finding:
@@ -118,6 +131,7 @@ def look_at_browser() -> Finding:
 
 LOOKS: tuple[Callable[[], Finding], ...] = (
     look_at_packages,
+    look_at_physics,
     look_at_nodes,
     look_at_bubblewrap,
     look_at_browser,
@@ -132,7 +146,8 @@ def _required() -> list[str]:
         raise SimkitError(
             "simkit is not installed, only lying there: pip install -e . in its folder"
         ) from error
-    return [line for line in lines if "extra ==" not in line]
+    # What has a condition is not for every platform, or an extra.
+    return [line for line in lines if ";" not in line]
 
 
 def _failure_of(command: list[str]) -> str | None:

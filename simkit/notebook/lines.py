@@ -113,7 +113,9 @@ def check_urdf(words: list[str]) -> None:
     """
     if not words:
         raise SimkitError("usage: %check_urdf FILE")
-    command_line(["check_urdf", *words])
+    # One stream: a notebook would show the other one apart, and in red, a mere note too.
+    with contextlib.redirect_stderr(sys.stdout):
+        command_line(["check_urdf", *words])
 
 
 def catkin_create_pkg(words: list[str]) -> None:

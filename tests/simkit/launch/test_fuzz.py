@@ -88,12 +88,12 @@ def test_some_mutations(write, package):
 def test_thousands_of_mutations_leave_no_trace(write, package):
     resource = pytest.importorskip("resource", reason="memory is measured on Linux and macOS")
     unit = 1024 if sys.platform != "darwin" else 1
-    evaluate_many(write, package, 1000)
+    evaluate_many(write, package, 500)
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit
-    plans, errors = evaluate_many(write, package, 6000)
+    plans, errors = evaluate_many(write, package, 2000)
     grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit - before
-    assert plans > 500
-    assert plans + errors == 6000
+    assert plans > 150
+    assert plans + errors == 2000
     assert grown < 30_000_000
 
 

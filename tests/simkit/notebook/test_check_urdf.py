@@ -27,10 +27,10 @@ def test_a_robot_is_checked_and_what_is_wrong_stands_below(cells):
     )
     _, refused, _, clean, unknown, nothing = shown
     assert refused.ok
-    assert refused.out == ""
-    assert "hello_ros/robot.urdf:7:18: error [URDF-E02]" in refused.err
-    assert "\x1b" not in refused.err
+    assert refused.err == ""
+    assert "hello_ros/robot.urdf:7:18: error [URDF-E02]" in refused.out
+    assert "\x1b" not in refused.out
     assert clean.out.startswith("robot name is: arm\n---------- Successfully Parsed XML")
     assert clean.err == ""
-    assert "did you mean robot.urdf?" in unknown.err
+    assert "did you mean robot.urdf?" in unknown.out
     assert "usage: %check_urdf FILE" in nothing.out + nothing.err

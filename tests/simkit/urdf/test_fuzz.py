@@ -13,7 +13,7 @@ import pytest
 
 from simkit.diagnostics import as_json, as_text
 from simkit.packages import PackagePath
-from simkit.urdf import UrdfError, check_urdf_text, load_robot, read_robot, tree_text
+from simkit.urdf import Robot, UrdfError, check_urdf_text, load_robot, read_robot, tree_text
 from simkit.urdf.kinematics import forward_kinematics
 from simkit.urdf.rules import Companion, CompanionKind, check_robot
 
@@ -84,7 +84,7 @@ class Fuzz:
         self._check_places(reading.document, finds)
         if reading.robot is not None:
             self.robots += 1
-            self._use(data)
+            self._use(reading.robot, data)
             assert tree_text(reading.robot)
         self.finds += len(finds)
 
@@ -98,12 +98,13 @@ class Fuzz:
                 assert one.span.column + one.span.length - 1 <= max(1, length), one
         assert finds or document.is_well_formed
 
-    def _use(self, data: bytes) -> None:
+    def _use(self, robot: Robot, data: bytes) -> None:
         """A robot that is taken can be used; what hinders that is one clear error."""
         said = ""
         try:
-            robot = load_robot(data, file="spoiled.urdf", packages=self._packages)
             forward_kinematics(robot, {})
+            if self.robots % 10 == 0:  # which reads and judges it once more
+                load_robot(data, file="spoiled.urdf", packages=self._packages)
         except UrdfError as error:
             said = str(error).strip()
         assert "\n" not in said

@@ -522,7 +522,7 @@ def test_the_real_program_says_the_same_to_accidents(all_robots, check_urdf, rea
 
 @pytest.mark.slow
 def test_the_real_program_says_the_same_to_many_accidents(all_robots, check_urdf, real_check_urdf):
-    assert differing(all_robots, 2, 10_000, check_urdf, real_check_urdf) == []
+    assert differing(all_robots, 2, 2_000, check_urdf, real_check_urdf) == []
 
 
 @pytest.mark.slow
@@ -530,7 +530,7 @@ def test_no_accident_raises_or_hangs(all_robots, check_urdf):
     rng = random.Random(3)
     texts = [path.read_text(encoding="utf-8") for path in all_robots]
     longest = 0.0
-    for _ in range(20_000):
+    for _ in range(4_000):
         data = mutated(rng.choice(texts), rng).encode()
         start = time.process_time()
         assert check_urdf(data).code in (0, 255)
