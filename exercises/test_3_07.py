@@ -2,12 +2,12 @@
 
 import pytest
 
-from grader.checks import after, expect, expect_close, expect_equal, points
+from grader.checks import after, expect, expect_close, points
 from grader.checks.answers import given_answer, words_of
 from grader.checks.moved_robot import MovedRobot, require_joint
-from grader.checks.robots import RobotFiles, link_of, only_visual
+from grader.checks.robots import RobotFiles, expect_chain, expect_silver_cylinder, slider_of
 from grader.checks.rotations import about_z, apart, times
-from simkit.urdf import Cylinder, JointType
+from simkit.urdf import JointType
 
 ROBOT = "hello_ros_robot_2.urdf"
 LAUNCH = "urdf_launch_2.launch"
@@ -29,45 +29,14 @@ def moved(sim, robots):
 def test_check_urdf_takes_your_robot(robots):
     """check_urdf finds nothing wrong with hello_ros_robot_2.urdf: torso hangs on base_link, base_link on world."""
     robots.expect_clean(ROBOT)
-    robot = robots.robot(ROBOT)
-    expect_equal(robot.root, "world", what="the root of the tree")
-    for link, parent in (("base_link", "world"), ("torso", "base_link")):
-        link_of(robot, link)
-        above = robot.joint_above(link)
-        expect_equal(
-            above.parent if above else None,
-            parent,
-            what=f"the link that {link} hangs on",
-            hint="A joint names the parent that holds, and the child that is held.",
-        )
+    expect_chain(robots.robot(ROBOT), "world", "base_link", "torso")
 
 
 @points(1)
 @after("test_check_urdf_takes_your_robot")
 def test_the_torso_has_its_shape(robots):
     """The torso is a silver cylinder, 0.5 m long, with a radius of 0.05 m."""
-    visual = only_visual(robots.robot(ROBOT), "torso")
-    shape = visual.geometry
-    expect(
-        isinstance(shape, Cylinder),
-        f"the torso is a {type(shape).__name__.lower()}, not a cylinder",
-        hint="Inside <geometry> stands <cylinder length=... radius=.../>.",
-    )
-    expect_close(
-        (shape.length, shape.radius),
-        (0.5, 0.05),
-        tolerance=1e-6,
-        what="length and radius of the torso",
-        unit="m",
-        hint="The length runs along z; the radius is half the width.",
-    )
-    expect_close(
-        visual.material.rgba if visual.material else None,
-        (0.75, 0.75, 0.75, 1.0),
-        tolerance=0.01,
-        what="the colour of the torso",
-        hint='It is silver, as the base: <material name="silver"/> is enough, once it is defined.',
-    )
+    expect_silver_cylinder(robots.robot(ROBOT), "torso", length=0.5, radius=0.05)
 
 
 @points(1)
@@ -149,20 +118,6 @@ def what_runs(sim):
     """The nodes that are up, as a sentence."""
     names = [name for name in sim.nodes() if name != "/simkit"]
     return f"Nodes that run: {', '.join(names) or 'none'}."
-
-
-def slider_of(launched):
-    """The program with the sliders."""
-    for node in launched.nodes.values():
-        program = getattr(node, "program", None)
-        if hasattr(program, "set_position"):
-            return program
-    return expect(
-        False,
-        "no slider is there",
-        hint="joint_state_publisher shows sliders if the parameter use_gui is true: "
-        '<param name="use_gui" value="true"/>.',
-    )
 
 
 @points(1)

@@ -1,15 +1,13 @@
 """Exercise 3.8, public checks: an arm with two joints, and where its tip is."""
 
-import itertools
 import math
 
 import pytest
 
-from grader.checks import after, expect, expect_close, expect_close_angle, expect_equal, points
+from grader.checks import after, expect, expect_close, expect_close_angle, points
 from grader.checks.answers import given_answer
 from grader.checks.moved_robot import MovedRobot, require_joint
-from grader.checks.robots import RobotFiles, link_of, only_visual
-from simkit.urdf import Cylinder
+from grader.checks.robots import RobotFiles, expect_chain, expect_silver_cylinder, slider_of
 
 ROBOT = "hello_ros_robot_3.urdf"
 LAUNCH = "urdf_launch_3.launch"
@@ -62,46 +60,14 @@ def expect_the_arm(moved, *, hip, shoulder, hint):
 def test_check_urdf_takes_your_robot(robots):
     """check_urdf finds nothing wrong with hello_ros_robot_3.urdf: a chain from world to upper_arm."""
     robots.expect_clean(ROBOT)
-    robot = robots.robot(ROBOT)
-    expect_equal(robot.root, "world", what="the root of the tree")
-    chain = ("world", "base_link", "torso", "upper_arm")
-    for parent, link in itertools.pairwise(chain):
-        link_of(robot, link)
-        above = robot.joint_above(link)
-        expect_equal(
-            above.parent if above else None,
-            parent,
-            what=f"the link that {link} hangs on",
-            hint="A joint names the parent that holds, and the child that is held.",
-        )
+    expect_chain(robots.robot(ROBOT), "world", "base_link", "torso", "upper_arm")
 
 
 @points(1)
 @after("test_check_urdf_takes_your_robot")
 def test_the_upper_arm_has_its_shape(robots):
     """The upper arm is a silver cylinder, 0.4 m long, with a radius of 0.05 m."""
-    visual = only_visual(robots.robot(ROBOT), "upper_arm")
-    shape = visual.geometry
-    expect(
-        isinstance(shape, Cylinder),
-        f"the upper arm is a {type(shape).__name__.lower()}, not a cylinder",
-        hint="Inside <geometry> stands <cylinder length=... radius=.../>.",
-    )
-    expect_close(
-        (shape.length, shape.radius),
-        (0.4, 0.05),
-        tolerance=1e-6,
-        what="length and radius of the upper arm",
-        unit="m",
-        hint="The length runs along z; the radius is half the width.",
-    )
-    expect_close(
-        visual.material.rgba if visual.material else None,
-        (0.75, 0.75, 0.75, 1.0),
-        tolerance=0.01,
-        what="the colour of the upper arm",
-        hint='Once silver is defined, <material name="silver"/> is enough for the other links.',
-    )
+    expect_silver_cylinder(robots.robot(ROBOT), "upper_arm", length=0.4, radius=0.05)
 
 
 @points(1)
@@ -153,16 +119,9 @@ def test_the_launch_file_brings_two_sliders(sim, roslaunch):
         hint="robot_state_publisher makes the frames, joint_state_publisher says the angles, and both need "
         f"robot_description. Nodes that run: {', '.join(names) or 'none'}.",
     )
-    programs = [getattr(node, "program", None) for node in launched.nodes.values()]
-    sliders = [one for one in programs if hasattr(one, "set_position")]
-    expect(
-        sliders,
-        "no slider is there",
-        hint="joint_state_publisher shows sliders if the parameter use_gui is true: "
-        '<param name="use_gui" value="true"/>.',
-    )
+    slider = slider_of(launched)
     for joint, angle in (("hip", 0.5), ("shoulder", -0.25)):
-        sliders[0].set_position(joint, angle)
+        slider.set_position(joint, angle)
     sim.run(0.3)
     state = sim.latest("/joint_states")
     angles = dict(zip(state.name, state.position, strict=True))

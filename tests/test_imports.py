@@ -107,7 +107,7 @@ LIBRARIES = {
     "matplotlib": ("simkit.nodes.turtlesim.png simkit.viz", ""),
     "dartpy": ("", "simkit.physics"),
     "meshcat": ("simkit.viz", ""),
-    "trimesh": ("", "simkit.physics.mesh simkit.viz"),
+    "trimesh": ("", "simkit.urdf.mesh_file"),
     "tornado": ("simkit.viz.live_server", ""),
     "ipywidgets": ("", "simkit.viz"),
     "rosbags": ("", "simkit.msgs.generate"),

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
 from pathlib import Path
+from typing import Any
 
+from grader.checks.expect import expect_close, expect_equal
 from grader.checks.nodes import require_handed_in
 from grader.errors import CheckFailed
 from grader.exercises import Exercise
 from grader.submission import Submission
 from simkit.diagnostics import Diagnostic, Severity
 from simkit.packages import PackagePath
-from simkit.urdf import Link, Reading, Robot, Visual, read_robot
+from simkit.urdf import Cylinder, Link, Reading, Robot, Visual, read_robot
 from simkit.urdf.rules import check_robot
 from simkit.xml import parse_xml
 
@@ -113,6 +116,71 @@ def only_visual(robot: Robot, link: str) -> Visual:
     if len(visuals) > 1:
         raise CheckFailed(f"{link} has {len(visuals)} visuals", hint="One <visual> is enough here.")
     return visuals[0]
+
+
+def expect_chain(robot: Robot, *links: str) -> None:
+    """Expect each link to hang on the one before it, and the first one on nothing.
+
+    Raises:
+        CheckFailed: A link is missing, or hangs on another one.
+    """
+    expect_equal(robot.root, links[0], what="the root of the tree")
+    for parent, link in itertools.pairwise(links):
+        link_of(robot, link)
+        above = robot.joint_above(link)
+        expect_equal(
+            above.parent if above else None,
+            parent,
+            what=f"the link that {link} hangs on",
+            hint="A joint names the parent that holds, and the child that is held.",
+        )
+
+
+def expect_silver_cylinder(robot: Robot, link: str, *, length: float, radius: float) -> None:
+    """Expect a link to be seen as one silver cylinder of a size [m].
+
+    Raises:
+        CheckFailed: It has another shape, size or colour.
+    """
+    visual = only_visual(robot, link)
+    shape = visual.geometry
+    if not isinstance(shape, Cylinder):
+        raise CheckFailed(
+            f"{link} is a {type(shape).__name__.lower()}, not a cylinder",
+            hint="Inside <geometry> stands <cylinder length=... radius=.../>.",
+        )
+    expect_close(
+        (shape.length, shape.radius),
+        (length, radius),
+        tolerance=1e-6,
+        what=f"length and radius of {link}",
+        unit="m",
+        hint="The length runs along z; the radius is half the width.",
+    )
+    expect_close(
+        visual.material.rgba if visual.material else None,
+        (0.75, 0.75, 0.75, 1.0),
+        tolerance=0.01,
+        what=f"the colour of {link}",
+        hint='Once silver is defined, <material name="silver"/> is enough for the other links.',
+    )
+
+
+def slider_of(launched: Any) -> Any:
+    """The program with the sliders among the nodes of a launch.
+
+    Raises:
+        CheckFailed: There is none.
+    """
+    for node in launched.nodes.values():
+        program = getattr(node, "program", None)
+        if hasattr(program, "set_position"):
+            return program
+    raise CheckFailed(
+        "no slider is there",
+        hint="joint_state_publisher shows sliders if the parameter use_gui is true: "
+        '<param name="use_gui" value="true"/>.',
+    )
 
 
 def _refused(

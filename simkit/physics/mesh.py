@@ -3,37 +3,28 @@
 A mesh with many flat faces makes the engine slow (a cylinder of 64 sides, standing on its face,
 makes 193 contacts and 30 ms a step) and is never quite round. So a mesh is stood in for by the
 smallest of box, cylinder and sphere that holds it: a wheel rolls, a body rests on its faces.
-trimesh reads the files; it loads slowly, so it is imported when the first mesh is met.
 """
 
 from __future__ import annotations
 
-import io
 import math
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from simkit.physics.errors import PhysicsError
 from simkit.urdf.frame import Frame
 from simkit.urdf.matrix import Matrix
+from simkit.urdf.mesh_file import MeshError, load_mesh
 from simkit.urdf.model import Box, Cylinder, Sphere, Vector
 
-MAX_BYTES = 50_000_000
-"""Longest file that is read."""
 MAX_TRIANGLES = 20_000
 """A mesh with more is seen by a laser as the solid that stands in for it."""
 
 _X_UP: Matrix = ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
 _Y_UP: Matrix = ((0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0))
 _Z_UP: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-
-
-class MeshError(PhysicsError):
-    """A file that gives no mesh; one clause says why."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,27 +57,10 @@ def read_mesh(path: Path, scale: Vector) -> TriangleMesh:
     Raises:
         MeshError: It is too long, broken, or of a kind that cannot be read here.
     """
-    try:
-        if path.stat().st_size > MAX_BYTES:
-            raise MeshError(f"it is longer than {MAX_BYTES // 1_000_000} MB")
-        data = path.read_bytes()
-    except OSError as error:
-        raise MeshError(str(error.strerror)) from None
-    corners = _triangles(data, path.suffix.lower().removeprefix(".")) * np.array(scale)
-    if not len(corners) or not np.isfinite(corners).all():
-        raise MeshError("there are no triangles in it")
+    corners = np.asarray(load_mesh(path).triangles, dtype=np.float64) * np.array(scale)
+    if not np.isfinite(corners).all():
+        raise MeshError("it is broken (numbers that are none)")
     return TriangleMesh.of(corners)
-
-
-def _triangles(data: bytes, kind: str) -> NDArray[np.float64]:
-    import trimesh
-
-    try:
-        # From bytes, trimesh has no folder in which to look for more files.
-        mesh: Any = trimesh.load_mesh(io.BytesIO(data), file_type=kind, process=False)
-        return np.asarray(mesh.triangles, dtype=np.float64)
-    except Exception as error:  # broken files end in errors of every kind
-        raise MeshError(f"it cannot be read ({type(error).__name__}: {error})") from None
 
 
 def stand_in(mesh: TriangleMesh) -> tuple[Box | Cylinder | Sphere, Frame]:

@@ -7,8 +7,9 @@ from dataclasses import replace
 
 from simkit.physics.bodies import check_lengths
 from simkit.physics.errors import ModelError
-from simkit.physics.mesh import MAX_TRIANGLES, MeshError, read_mesh, stand_in
+from simkit.physics.mesh import MAX_TRIANGLES, read_mesh, stand_in
 from simkit.physics.plan import Plane, ShapePlan
+from simkit.urdf.mesh_file import MeshError
 from simkit.urdf.model import Box, Cylinder, Mesh, Sphere, Vector
 
 SMALLEST = 1e-6

@@ -4,7 +4,14 @@ from types import SimpleNamespace
 
 import pytest
 
-from grader.checks.robots import RobotFiles, link_of, only_visual
+from grader.checks.robots import (
+    RobotFiles,
+    expect_chain,
+    expect_silver_cylinder,
+    link_of,
+    only_visual,
+    slider_of,
+)
 from grader.errors import CheckFailed
 from grader.submission import Submission
 from simkit.diagnostics import Severity
@@ -61,3 +68,50 @@ def test_links_and_visuals_that_are_missing(tmp_path):
     bare = files(tmp_path, '<robot name="r"><link name="post"/></robot>').robot("post.urdf")
     with pytest.raises(CheckFailed, match="nothing is to be seen"):
         only_visual(bare, "post")
+
+
+ARM = """<robot name="arm">
+  <material name="silver"><color rgba="0.75 0.75 0.75 1"/></material>
+  <link name="world"/>
+  <link name="arm">
+    <visual>
+      <geometry><cylinder length="0.4" radius="0.05"/></geometry><material name="silver"/>
+    </visual>
+  </link>
+  <joint name="j" type="fixed"><parent link="world"/><child link="arm"/></joint>
+</robot>
+"""
+
+
+def test_a_chain_and_a_silver_cylinder(tmp_path):
+    robot = files(tmp_path, ARM).robot("post.urdf")
+    expect_chain(robot, "world", "arm")
+    expect_silver_cylinder(robot, "arm", length=0.4, radius=0.05)
+    with pytest.raises(CheckFailed, match="root of the tree"):
+        expect_chain(robot, "arm", "world")
+    with pytest.raises(CheckFailed, match="no link hand"):
+        expect_chain(robot, "world", "arm", "hand")
+    with pytest.raises(CheckFailed, match="ength and radius of arm"):
+        expect_silver_cylinder(robot, "arm", length=0.05, radius=0.4)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ('<cylinder length="0.4" radius="0.05"/>', '<sphere radius="1"/>', "arm is a sphere"),
+        ("0.75 0.75 0.75 1", "1 0 0 1", "he colour of arm"),
+        ('</geometry><material name="silver"/>', "</geometry>", "he colour of arm"),
+    ],
+)
+def test_another_shape_or_colour(tmp_path, old, new, words):
+    robot = files(tmp_path, ARM.replace(old, new)).robot("post.urdf")
+    with pytest.raises(CheckFailed, match=words):
+        expect_silver_cylinder(robot, "arm", length=0.4, radius=0.05)
+
+
+def test_the_sliders_of_a_launch():
+    gui = SimpleNamespace(set_position=print)
+    nodes = {"/a": SimpleNamespace(), "/b": SimpleNamespace(program=gui)}
+    assert slider_of(SimpleNamespace(nodes=nodes)) is gui
+    with pytest.raises(CheckFailed, match="no slider is there"):
+        slider_of(SimpleNamespace(nodes={}))

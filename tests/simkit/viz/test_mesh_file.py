@@ -4,8 +4,9 @@ import struct
 
 import pytest
 
+from simkit.urdf.mesh_file import MeshError
 from simkit.viz import mesh_file
-from simkit.viz.mesh_file import MeshError, read_mesh
+from simkit.viz.mesh_file import read_mesh
 
 CORNERS = [(0, 0, 0), (1, 0, 0), (0, 2, 0), (0, 0, 3)]
 FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
@@ -60,7 +61,7 @@ def test_a_file_reads_no_other_file(tmp_path):
 @pytest.mark.parametrize(
     ("name", "data", "words"),
     [
-        ("a.gltf", b"{}", r"only \.dae, \.obj, \.stl are drawn"),
+        ("a.gltf", b"{}", r"only \.dae, \.obj, \.stl are read"),
         ("a.stl", b"", "broken|no triangles"),
         ("a.stl", b"solid of nothing", "broken|no triangles"),
         ("a.obj", b"f 1 2 3\n", "broken|no triangles"),
@@ -80,6 +81,6 @@ def test_a_file_that_is_not_there_and_one_that_is_too_long(tmp_path, monkeypatch
     monkeypatch.setattr(mesh_file, "MAX_TRIANGLES", 3)
     with pytest.raises(MeshError, match="it has 4 triangles, more than 3"):
         read_mesh(tmp_path / "a.stl", (1, 1, 1))
-    monkeypatch.setattr(mesh_file, "MAX_BYTES", 100)
+    monkeypatch.setattr("simkit.urdf.mesh_file.MAX_BYTES", 100)
     with pytest.raises(MeshError, match="longer than"):
         read_mesh(tmp_path / "a.stl", (1, 1, 1))
