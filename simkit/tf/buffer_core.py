@@ -90,7 +90,7 @@ class BufferCore:
             )
             if not refusal:
                 self.frames.authorities[self.frames.number(child)] = authority
-                if self.requests:
+                if self.requests.waiting:
                     self.requests.test()
                 return True
             faults = [

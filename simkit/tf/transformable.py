@@ -40,7 +40,10 @@ class TransformableRequests:
     """The questions that wait at one buffer.
 
     Args:
-        core: The buffer; it calls `test` after each transform that it stored.
+        core: The buffer; it calls `test` after each transform that it stored, if somebody waits.
+
+    Attributes:
+        waiting: The questions by handle.
 
     Source:
         tf2 `BufferCore::addTransformableRequest`, which message filters are made of.
@@ -48,11 +51,11 @@ class TransformableRequests:
 
     def __init__(self, core: BufferCore) -> None:
         self._core = core
-        self._waiting: dict[int, TransformableRequest] = {}
+        self.waiting: dict[int, TransformableRequest] = {}
         self._last = ALREADY
 
     def __len__(self) -> int:
-        return len(self._waiting)
+        return len(self.waiting)
 
     def add(self, callback: OnTransformable, *, target: str, source: str, time: int) -> int:
         """Ask to be called as soon as `lookup(target, source, time=time)` answers.
@@ -71,23 +74,23 @@ class TransformableRequests:
         if self._is_forgotten(target, source, time):
             return NEVER
         self._last += 1
-        self._waiting[self._last] = TransformableRequest(
+        self.waiting[self._last] = TransformableRequest(
             handle=self._last, target=target, source=source, time=time, callback=callback
         )
         return self._last
 
     def cancel(self, handle: int) -> None:
         """Wait no more; harmless if nobody waits under that handle."""
-        self._waiting.pop(handle, None)
+        self.waiting.pop(handle, None)
 
     def test(self) -> None:
         """Call whoever can be answered now, or never, in the order of asking."""
-        for request in list(self._waiting.values()):
+        for request in list(self.waiting.values()):
             can = self._core.can_transform(request.target, request.source, time=request.time)[0]
             if not can and not self._is_forgotten(request.target, request.source, request.time):
                 continue
             # An earlier callback may have cancelled it.
-            if self._waiting.pop(request.handle, None) is not None:
+            if self.waiting.pop(request.handle, None) is not None:
                 request.callback(request, can)
 
     def _is_forgotten(self, target: str, source: str, time: int) -> bool:
