@@ -37,6 +37,8 @@ MAY_IMPORT = {
     "simkit.nodes.joint_state_publisher": "simkit.errors simkit.msgs simkit.graph simkit.tools "
     "simkit.xml",
     "simkit.physics": "simkit.errors simkit.xml simkit.diagnostics simkit.urdf simkit.packages simkit.tf",
+    "simkit.plugins": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.urdf "
+    "simkit.physics",
     "simkit.launch": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
     "simkit.urdf simkit.urdf.rules simkit.packages simkit.nodes simkit.running simkit.tools",
     "simkit.launching": "simkit.graph simkit.launch simkit.packages simkit.running",

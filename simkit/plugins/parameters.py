@@ -1,0 +1,162 @@
+"""The parameters of a plugin: a frozen dataclass, which is the parser of the plugin's tag as well.
+
+    @dataclass(frozen=True, slots=True, kw_only=True)
+    class Parameters:
+        rate: float = tag("updateRate", 100.0, "Publications per second; 0: each step [Hz].", at_least=0.0)
+
+Source: gazebo_ros_utils for defaults that are said; sdformat for how a bool is written.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable
+from typing import Any, TypeVar, get_type_hints
+
+from simkit.errors import near_names
+from simkit.plugins.errors import PluginError
+from simkit.plugins.site import Site
+from simkit.xml import Element
+
+T = TypeVar("T")
+SILENT = ("robotNamespace", "alwaysOn", "rosDebugLevel")
+"""Tags that any plugin may have, whether it reads them or not."""
+_TRUE, _FALSE = ("true", "1"), ("false", "0")
+
+
+@dataclasses.dataclass(frozen=True, slots=True, kw_only=True)
+class Tag:
+    """What a field of a parameter class says of the tag that it comes from."""
+
+    name: str
+    """Name of the tag."""
+    text: str
+    """What it means, with the unit in square brackets."""
+    required: bool = False
+    """Whether the plugin does not work without it."""
+    at_least: float = -math.inf
+    """Smallest number."""
+    above: float = -math.inf
+    """All numbers are greater than this."""
+    choices: tuple[str, ...] = ()
+    """What it may be; anything if empty."""
+
+
+def tag(
+    name: str,
+    default: Any,
+    text: str,
+    *,
+    required: bool = False,
+    at_least: float = -math.inf,
+    above: float = -math.inf,
+    choices: tuple[str, ...] = (),
+) -> Any:
+    """A field of a parameter class: type, default and bounds of one tag; see `Tag`."""
+    found = Tag(
+        name=name, text=text, required=required, at_least=at_least, above=above, choices=choices
+    )
+    return dataclasses.field(default=default, metadata={"tag": found})
+
+
+def tags_of(parameters: type[Any]) -> dict[str, Tag]:
+    """The tags that a parameter class reads, by the name of the field."""
+    return {one.name: one.metadata["tag"] for one in dataclasses.fields(parameters)}
+
+
+def read_parameters(parameters: type[T], site: Site, *, speaker: str | None = None) -> T:
+    """What the tag of a plugin says.
+
+    A tag that it does not read is named in a warning with the nearest one that it does.
+
+    Args:
+        parameters: The parameter class of the plugin.
+        site: Where the plugin works.
+        speaker: What a missing tag is reported as, with its default, as the original does; None for
+            a plugin that takes defaults in silence.
+
+    Raises:
+        PluginError: A value is not one that the tag can have, or a tag is missing that must be there.
+    """
+    types = get_type_hints(parameters)
+    values: dict[str, Any] = {}
+    known = tags_of(parameters)
+    for field in dataclasses.fields(parameters):  # type: ignore[arg-type]
+        found = known[field.name]
+        element = site.element.child(found.name)
+        if element is not None:
+            values[field.name] = _value(types[field.name], found, element, site)
+        elif found.required:
+            raise PluginError(
+                f"{place(site.element, site)}: the plugin {site.name} needs <{found.name}>: {found.text}"
+            )
+        elif speaker is not None:
+            shown = _shown(field.default)
+            site.node.warn(f"{speaker}: missing <{found.name}> default is {shown}")
+    _name_strangers(site, [one.name for one in known.values()])
+    return parameters(**values)
+
+
+def place(element: Element, site: Site) -> str:
+    """Where a tag stands, to begin a sentence with."""
+    return f"{site.file or site.model.name}:{element.span.line}:{element.span.column}"
+
+
+def _value(kind: type[Any], found: Tag, element: Element, site: Site) -> Any:
+    text = element.text.strip()
+    try:
+        value = _READERS[kind](text)
+    except ValueError:
+        raise PluginError(
+            f"{place(element, site)}: <{found.name}> is {_NOUNS[kind]}, not {text!r}. {found.text}"
+        ) from None
+    if kind in (float, int) and not (value >= found.at_least and value > found.above):
+        bound = f"at least {found.at_least:g}" if math.isfinite(found.at_least) else "positive"
+        raise PluginError(
+            f"{place(element, site)}: <{found.name}> is {text}, and must be {bound}. {found.text}"
+        )
+    if found.choices and value not in found.choices:
+        raise PluginError(
+            f"{place(element, site)}: <{found.name}> is {text!r}, and must be one of: {', '.join(found.choices)}"
+        )
+    return value
+
+
+def _name_strangers(site: Site, known: list[str]) -> None:
+    for child in site.element.children:
+        if child.name in known or child.name in SILENT:
+            continue
+        near = near_names(child.name, known)
+        hint = f"; did you mean <{near[0]}>?" if near else ""
+        site.node.warn(
+            f"{place(child, site)}: the plugin {site.name} does not read <{child.name}>{hint}"
+        )
+
+
+def _shown(value: object) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+def _number(text: str) -> float:
+    value = float(text)
+    if not math.isfinite(value) or "_" in text:
+        raise ValueError(text)
+    return value
+
+
+def _bool(text: str) -> bool:
+    if text.lower() not in _TRUE + _FALSE:
+        raise ValueError(text)
+    return text.lower() in _TRUE
+
+
+_READERS: dict[type[Any], Callable[[str], Any]] = {
+    str: str,
+    float: _number,
+    int: int,
+    bool: _bool,
+}
+_NOUNS = {str: "a text", float: "a number", int: "a whole number", bool: "true or false"}

@@ -1,0 +1,28 @@
+"""When a plugin that works so many times a second is due."""
+
+from __future__ import annotations
+
+
+class UpdateRate:
+    """Due whenever more than a period has passed since it was due last, in steps of a period.
+
+    With steps of 1 ms and 20 Hz that is at .051, .101, .151 s after it was made; at a rate of 0 each time.
+
+    Args:
+        hertz: Times a second.
+        now_ns: Time at which it is made [ns].
+
+    Source:
+        `gazebo_ros_diff_drive` and its relatives: `if (elapsed > period) last += period`.
+    """
+
+    def __init__(self, hertz: float, now_ns: int) -> None:
+        self.period_ns = round(1e9 / hertz) if hertz > 0.0 else 0
+        self._last_ns = now_ns
+
+    def is_due(self, now_ns: int) -> bool:
+        """Whether it is due; asked once a step."""
+        if now_ns - self._last_ns <= self.period_ns and self.period_ns:
+            return False
+        self._last_ns = self._last_ns + self.period_ns if self.period_ns else now_ns
+        return True
