@@ -9,6 +9,7 @@ from simkit.graph import Graph
 from simkit.graph.process import Permissions, ScriptNode
 from simkit.packages import PackagePath
 from simkit.running import RunningBuiltin
+from simkit.simulating import GZSERVER
 
 if TYPE_CHECKING:
     from simkit.launch import Launch, LaunchPlan
@@ -33,6 +34,9 @@ class Launching:
         raise NotImplementedError
 
     def _require_open(self) -> None:
+        raise NotImplementedError
+
+    def _begin_with_world(self) -> None:
         raise NotImplementedError
 
     def launch_plan(
@@ -99,6 +103,8 @@ class Launching:
             permissions=permissions,
             all_on_screen=all_on_screen,
         )
+        if any((node.package, node.type) == GZSERVER for node in plan.nodes):
+            self._begin_with_world()
         self._end_older(plan, launch)
         self._check_robots(plan, launch)
         launch.start()

@@ -8,6 +8,7 @@ from simkit.graph import Graph
 from simkit.graph.names import CommandLine, join
 from simkit.graph.process import NodeFailure
 from simkit.nodes import BuiltinNode
+from simkit.packages import PackagePath
 
 
 class RunningBuiltin:
@@ -17,15 +18,22 @@ class RunningBuiltin:
         graph: The graph it joins.
         definition: Which node.
         command_line: What its arguments say.
+        packages: Where packages are.
     """
 
-    def __init__(self, graph: Graph, definition: BuiltinNode, command_line: CommandLine) -> None:
+    def __init__(
+        self,
+        graph: Graph,
+        definition: BuiltinNode,
+        command_line: CommandLine,
+        packages: PackagePath,
+    ) -> None:
         name = join(command_line.namespace, command_line.node_name or definition.node_name)
         self._node = graph.create_node(name, command_line.resolved_remappings(name))
         for key, value in command_line.private_parameters.items():
             self._node.set_param("~" + key, value)
         try:
-            self.program: Any = definition(self._node, list(command_line.arguments))
+            self.program: Any = definition(self._node, list(command_line.arguments), packages)
         except BaseException:
             self._node.shutdown()  # half a node must not stay on the graph
             raise

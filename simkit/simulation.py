@@ -26,8 +26,11 @@ from simkit.launching import Launching
 from simkit.msgs import Time
 from simkit.nodes import builtin_nodes
 from simkit.packages import PackagePath
+from simkit.plotting import Plotting
 from simkit.running import RunningBuiltin
-from simkit.seeing import Seeing
+from simkit.seeing_world import SeeingWorld
+from simkit.simulating import GZSERVER, Simulating
+from simkit.steering import Steering
 from simkit.talking import Talking
 from simkit.tf import Buffer, TransformListener
 
@@ -41,7 +44,7 @@ EPOCH_NS = 1_600_088_400 * 10**9
 _DEFAULT_SCREEN = StreamScreen()
 
 
-class Simulation(Talking, Seeing, Launching):
+class Simulation(Talking, Steering, Simulating, Plotting, SeeingWorld, Launching):
     """A world of nodes on virtual time. Same seed, same bytes.
 
     Args:
@@ -161,11 +164,13 @@ class Simulation(Talking, Seeing, Launching):
             UnknownNameError: No such package, or no such executable in it; names near ones.
         """
         self._require_open()
+        if (package, executable) == GZSERVER:
+            self._begin_with_world()
         command_line = split_command_line(arguments)
         if (package, executable) in builtin_nodes():
             definition = builtin_nodes()[package, executable]
             named = definition.named(command_line, self.graph.nodes)
-            builtin = RunningBuiltin(self.graph, definition, named)
+            builtin = RunningBuiltin(self.graph, definition, named, self.packages)
             self._builtins.append(builtin)
             return builtin
         script = self._find_script(package, executable)

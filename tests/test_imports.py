@@ -21,17 +21,18 @@ ROOT = Path(__file__).resolve().parents[1]
 MAY_IMPORT = {
     # pure: no node, no clock
     "simkit.errors": "",
+    "simkit.record": "",
     "simkit.msgs": "simkit.errors",
     "simkit.tf": "simkit.errors simkit.msgs",
-    "simkit.xml": "",
-    "simkit.diagnostics": "simkit.errors simkit.xml",
-    "simkit.urdf": "simkit.errors simkit.xml simkit.diagnostics simkit.packages simkit.tf",
+    "simkit.xml": "simkit.record",
+    "simkit.diagnostics": "simkit.errors simkit.record simkit.xml",
+    "simkit.urdf": "simkit.errors simkit.record simkit.xml simkit.diagnostics simkit.packages simkit.tf",
     # the graph, and what lives on it
     "simkit.graph": "simkit.errors simkit.msgs simkit.graph.process.child",
     "simkit.tf.broadcaster": "simkit.msgs simkit.tf simkit.graph",
     "simkit.tf.listener": "simkit.msgs simkit.tf simkit.graph",
     "simkit.tools": "simkit.errors simkit.msgs simkit.graph simkit.tf",
-    "simkit.nodes": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tools",
+    "simkit.nodes": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tools simkit.packages",
     "simkit.nodes.robot_state_publisher": "simkit.errors simkit.msgs simkit.graph simkit.tf "
     "simkit.tools simkit.urdf",
     "simkit.nodes.joint_state_publisher": "simkit.errors simkit.msgs simkit.graph simkit.tools "
@@ -39,19 +40,23 @@ MAY_IMPORT = {
     "simkit.physics": "simkit.errors simkit.xml simkit.diagnostics simkit.urdf simkit.packages simkit.tf",
     "simkit.plugins": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.urdf "
     "simkit.physics",
+    "simkit.gazebo": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
+    "simkit.urdf simkit.packages simkit.tools simkit.physics simkit.plugins",
+    "simkit.simulating": "simkit.errors simkit.graph simkit.gazebo simkit.packages simkit.physics "
+    "simkit.running simkit.urdf",
     "simkit.launch": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
     "simkit.urdf simkit.urdf.rules simkit.packages simkit.nodes simkit.running simkit.tools",
-    "simkit.launching": "simkit.graph simkit.launch simkit.packages simkit.running",
-    "simkit.packages": "simkit.errors",
+    "simkit.launching": "simkit.graph simkit.launch simkit.packages simkit.running simkit.simulating",
+    "simkit.packages": "simkit.errors simkit.record",
     "simkit.new_package": "simkit.errors simkit.msgs simkit.nodes simkit.packages",
     "simkit.recording": "simkit.errors simkit.msgs simkit.graph",
-    "simkit.running": "simkit.graph simkit.nodes",
+    "simkit.running": "simkit.graph simkit.nodes simkit.packages",
     "simkit.seeing": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.nodes simkit.packages "
     "simkit.nodes.joint_state_publisher simkit.recording simkit.running simkit.viz",
     "simkit.talking": "simkit.errors simkit.msgs simkit.graph simkit.recording",
     "simkit.simulation": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tf.listener "
     "simkit.nodes simkit.packages simkit.recording simkit.running simkit.seeing simkit.talking "
-    "simkit.launch simkit.launching",
+    "simkit.launch simkit.launching simkit.simulating",
     # pictures of what is known; a simulation hands them out, lazily
     "simkit.viz": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tools simkit.nodes "
     "simkit.nodes.joint_state_publisher simkit.packages simkit.recording simkit.urdf",
@@ -99,7 +104,7 @@ EXCEPTIONS = {
 # A library without a row may be imported nowhere.
 LIBRARIES = {
     "numpy": (
-        "simkit.physics simkit.tf.transformations simkit.viz",
+        "simkit.physics simkit.plugins simkit.tf.transformations simkit.viz",
         "simkit.graph.process.virtual_time",
     ),
     "yaml": (

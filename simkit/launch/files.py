@@ -16,9 +16,7 @@ KNOWN = Path(__file__).parent / "known"
 """Folders of packages that come with the kit, with the launch files that others include."""
 XACRO = "xacro"
 """A package of which only its program counts, and only as the command of a parameter."""
-OF_ROS = frozenset(
-    {"controller_manager", "gazebo_plugins", "gazebo_ros", "gazebo_ros_control", "rviz"}
-)
+OF_ROS = frozenset({"controller_manager", "gazebo_plugins", "gazebo_ros_control", "rviz"})
 """Packages of ROS that robots' launch files name; those with nodes in the kit are known besides."""
 
 
@@ -133,9 +131,7 @@ class Files:
         remedy = "Write the name of a package that is here, or make it: simkit catkin_create_pkg."
         if name in OF_ROS:
             what = f"{name} is a package of ROS, of which simkit has no files"
-            remedy = (
-                "No world is simulated by launch files here; leave this tag out to use the rest."
-            )
+            remedy = "Leave this tag out to use the rest."
         if name in {package for package, _ in builtin_nodes()}:
             what = f"{name} comes with simkit as built-in nodes: it has no folder with files"
             remedy = f"Start its nodes with <node pkg={name!r} ...>; its files cannot be named."

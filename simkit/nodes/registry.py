@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from simkit.graph.names import CommandLine, join
+from simkit.packages import PackagePath
 
 if TYPE_CHECKING:
     from simkit.graph import Node
@@ -29,6 +30,8 @@ class BuiltinNode:
     """Its class, or a function that picks one; called with (node, argv)."""
     anonymous: bool = False
     """Whether several may run at once: each gets a number behind its name."""
+    reads_packages: bool = False
+    """Whether it reads files of packages: then it is given the package path too."""
     watch_seconds: float | None = None
     """For one that only prints what it sees, until Ctrl-C: how long a line of a notebook shows it [s]."""
 
@@ -46,14 +49,18 @@ class BuiltinNode:
             number += 1
         return replace(command_line, node_name=f"{self.node_name}_{number}")
 
-    def __call__(self, node: Node, argv: list[str]) -> object:
+    def __call__(self, node: Node, argv: list[str], packages: PackagePath | None = None) -> object:
         """Start the node.
 
         Args:
             node: Its place in the graph.
             argv: Arguments of its command line, without remappings.
+            packages: Where packages are; none if None.
         """
-        return getattr(importlib.import_module(self.module), self.class_name)(node, argv)
+        start = getattr(importlib.import_module(self.module), self.class_name)
+        if not self.reads_packages:
+            return start(node, argv)
+        return start(node, argv, packages or PackagePath([]))
 
 
 _BUILTIN = (
@@ -189,6 +196,56 @@ _BUILTIN = (
         module="simkit.tools.rostopic_program",
         class_name="RostopicProgram",
         anonymous=True,
+    ),
+    BuiltinNode(
+        package="gazebo_ros",
+        executable="gzserver",
+        node_name="gazebo",
+        module="simkit.gazebo.gzserver",
+        class_name="GzServer",
+        reads_packages=True,
+    ),
+    BuiltinNode(
+        package="gazebo_ros",
+        executable="gzclient",
+        node_name="gazebo_gui",
+        module="simkit.viz.gzclient_program",
+        class_name="GzclientProgram",
+        anonymous=True,
+        watch_seconds=0.1,  # a line of a notebook shows the window, and has no need of the hint
+    ),
+    BuiltinNode(
+        package="gazebo_ros",
+        executable="spawn_model",
+        node_name="spawn_model",
+        module="simkit.gazebo.spawn_model",
+        class_name="SpawnModel",
+        reads_packages=True,
+    ),
+    BuiltinNode(
+        package="controller_manager",
+        executable="spawner",
+        node_name="spawner",
+        module="simkit.nodes.controller_manager.spawner",
+        class_name="Spawner",
+        anonymous=True,
+    ),
+    BuiltinNode(
+        package="controller_manager",
+        executable="unspawner",
+        node_name="unspawner",
+        module="simkit.nodes.controller_manager.unspawner",
+        class_name="Unspawner",
+        anonymous=True,
+    ),
+    BuiltinNode(
+        package="controller_manager",
+        executable="controller_manager",
+        node_name="controller_manager",
+        module="simkit.nodes.controller_manager.tool",
+        class_name="ControllerManagerTool",
+        anonymous=True,
+        watch_seconds=1.0,
     ),
 )
 

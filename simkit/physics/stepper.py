@@ -37,6 +37,7 @@ class Stepper:
         owners: Mapping[str, Owner],
         remove: Callable[[str], None],
     ) -> None:
+        self.passed: Callable[[int], None] | None = None
         self.before: list[Callable[[], None]] = []
         self.after: list[Callable[[], None]] = []
         self.busy: dict[int, ModelJoint] = {}
@@ -86,8 +87,12 @@ class Stepper:
         self.changed()
         self.touched()
 
-    def make(self, steps: int) -> None:
+    def make(self, steps: int, stop: Callable[[], bool] | None = None) -> None:
         """Make so many steps.
+
+        Args:
+            steps: How many.
+            stop: Asked after each step in which a hook was called; True ends it.
 
         Raises:
             PhysicsError: It is called by something that is called in a step.
@@ -106,6 +111,8 @@ class Stepper:
                 else:
                     self._hurry(burst)
                 steps -= burst
+                if stop is not None and stop():
+                    break
         finally:
             self._is_stepping = False
 
@@ -172,3 +179,5 @@ class Stepper:
         self._count += steps
         self.time_ns += steps * self.step_ns
         self.has_contacts = True
+        if self.passed is not None:
+            self.passed(self.time_ns)

@@ -189,16 +189,21 @@ class World:
             raise PhysicsError(f"{duration_ns} ns is no whole number of steps of {self.step_ns} ns")
         self._stepper.make(steps)
 
-    def run_until(self, time_ns: int) -> None:
+    def run_until(self, time_ns: int, *, stop: Callable[[], bool] | None = None) -> None:
         """Make all steps that end at a time or before; none if it is past.
 
         Args:
             time_ns: Time on the clock of this world [ns].
+            stop: Asked after each step, or after a few in which nothing was called; True ends it.
 
         Raises:
             LostModelError: As `step`.
         """
-        self._stepper.make(max(0, (time_ns - self.time_ns) // self.step_ns))
+        self._stepper.make(max(0, (time_ns - self.time_ns) // self.step_ns), stop)
+
+    def tell_time(self, passed: Callable[[int], None] | None) -> None:
+        """Call back with the time [ns] whenever steps were made, before the hooks that follow; None: no more."""
+        self._stepper.passed = passed
 
     def reset(self, *, time: bool = True) -> None:
         """Put each model back where it was added, at rest, with nothing commanded.

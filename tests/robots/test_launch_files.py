@@ -8,7 +8,8 @@ import shutil
 import pytest
 
 from simkit import Simulation
-from simkit.launch import LaunchError, evaluate
+from simkit.graph import LogLevel
+from simkit.launch import evaluate
 from simkit.packages import PackagePath
 from simkit.xml import parse_xml
 
@@ -84,22 +85,35 @@ def test_sliders_move_the_arm(robots):
         assert (arm.x, arm.y, arm.z) == pytest.approx((0.1, 0.0, 0.5), abs=1e-6)
 
 
-def test_spawning_runs_today_but_for_the_node_that_spawns(robots):
-    with Simulation(seed=1, package_path=[robots], screen=None) as sim:
-        launched = sim.roslaunch("my_robot_urdf", "spawn_urdf.launch", "world:=false")
-        sim.run(1.0)
-        assert [line.partition("\n")[0] for line in launched.failures] == [
-            "ERROR: cannot launch node of type [gazebo_ros/spawn_model]: gazebo_ros"
-        ]
-        assert sorted(sim.tf.core.frame_strings) == ["link_chassis", "sensor_laser"]
+MODELS = {
+    "spawn_gazebo_1": ["ground_plane", "hello_ros_robot"],
+    "spawn_gazebo_2": ["ground_plane", "hello_ros_robot"],
+    "spawn_urdf": ["ground_plane", "m2wr"],
+    "practice_world": ["ground_plane"],
+}
 
 
 @pytest.mark.parametrize("name", WITH_A_WORLD)
-def test_what_starts_a_world_needs_gazebo_ros_which_is_not_there_yet(robots, packages, name):
+def test_it_starts_a_world_and_brings_its_robot(robots, name):
     (path,) = robots.glob(f"*/launch/{name}.launch")
-    with pytest.raises(LaunchError, match="Resource not found: gazebo_ros") as caught:
-        evaluate(path, packages=packages, environment={})
-    assert "<include" in path.read_text().splitlines()[caught.value.line - 1]
+    with Simulation(seed=1, package_path=[robots], screen=None) as sim:
+        launched = sim.roslaunch(path)
+        sim.run(1.0)
+        assert (launched.failures, launched.refusals) == ([], [])
+        assert list(sim.gazebo.spawned) == MODELS[name]
+        assert sim.now.to_sec() == 1.0  # a simulation that begins with a world begins at 0
+        assert [line.text for line in sim.log if line.level > LogLevel.WARN] == []
+
+
+def test_a_robot_comes_into_a_world_that_runs(robots):
+    with Simulation(seed=1, package_path=[robots], screen=None) as sim:
+        sim.run(1.0)
+        sim.roslaunch("gazebo_ros", "empty_world.launch")
+        launched = sim.roslaunch("my_robot_urdf", "spawn_urdf.launch", "world:=false")
+        sim.run(1.0)
+        assert launched.failures == []
+        assert "m2wr" in sim.gazebo.spawned
+        assert sim.now.to_sec() > 1.6e9  # it does not jump: this one began without a world
 
 
 @pytest.mark.parametrize("name", WITH_A_WORLD)

@@ -1,5 +1,7 @@
 """`$(...)` in attributes."""
 
+from pathlib import Path
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -84,7 +86,11 @@ def test_a_package_of_the_kit_has_no_folder():
     assert caught.value.said == "Resource not found: turtlesim"
     assert "comes with simkit as built-in nodes" in caught.value.diagnostic.what
     with pytest.raises(LaunchError, match="of which simkit has no files"):
-        value_of("$(find gazebo_ros)/launch/empty_world.launch")
+        value_of("$(find gazebo_plugins)/launch/x.launch")
+
+
+def test_a_package_of_which_the_kit_has_files_has_a_folder():
+    assert Path(value_of("$(find gazebo_ros)/launch/empty_world.launch")).is_file()
 
 
 def test_names_for_anonymous_nodes_can_be_given_from_outside():

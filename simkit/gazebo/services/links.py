@@ -1,0 +1,53 @@
+"""Services that tell where links are, and what they weigh."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from simkit.errors import SimkitError
+from simkit.gazebo.poses import pose_message, twist_message
+from simkit.gazebo.server import Gazebo
+from simkit.gazebo.services.service import Service, link_of
+from simkit.gazebo.turning import turned_back
+from simkit.physics import ORIGIN
+from simkit.urdf.kinematics import Placement, compose, inverse
+
+
+def services(gazebo: Gazebo) -> list[Service]:
+    """The services of this group."""
+
+    def get_state(request: Any, response: Any) -> str:
+        model, link = link_of(gazebo, request.link_name, "GetLinkState")
+        frame = gazebo.frame(request.reference_frame)
+        linear, angular = model.link_twist(link)
+        state = response.link_state
+        state.link_name = request.link_name
+        state.pose = pose_message(compose(inverse(frame), model.link_pose(link)))
+        state.twist = twist_message((turned_back(frame, linear), turned_back(frame, angular)))
+        state.reference_frame = request.reference_frame
+        return "GetLinkState: got state"
+
+    def get_properties(request: Any, response: Any) -> str:
+        model, link = link_of(gazebo, request.link_name, "GetLinkProperties")
+        if link not in model.plan.bodies:
+            mount = model.plan.mounts[link].body
+            raise SimkitError(f"GetLinkProperties: {link} is a part of {mount}, ask for that one")
+        plan = model.plan.bodies[link]
+        body = plan.body
+        response.com = pose_message(Placement(body.centre, ORIGIN.rotation))
+        response.gravity_mode = plan.gravity
+        response.mass = body.mass
+        tensor = body.tensor
+        response.ixx, response.ixy, response.ixz = tensor[0]
+        response.iyy, response.iyz = tensor[1][1:]
+        response.izz = tensor[2][2]
+        return "GetLinkProperties: got properties"
+
+    return [
+        Service(name="get_link_state", type_name="gazebo_msgs/GetLinkState", answer=get_state),
+        Service(
+            name="get_link_properties",
+            type_name="gazebo_msgs/GetLinkProperties",
+            answer=get_properties,
+        ),
+    ]

@@ -1,0 +1,136 @@
+"""Services that push links and drive joints, for a time.
+
+Source: gazebo_ros_api_plugin: a negative duration is for ever, a force acts from its start time on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from simkit.gazebo.poses import vector_of
+from simkit.gazebo.server import Gazebo
+from simkit.gazebo.services.models import joint_of
+from simkit.gazebo.services.service import Service, link_of
+from simkit.gazebo.turning import turned
+from simkit.urdf.kinematics import Placement, compose, inverse
+
+_STILL = (0.0, 0.0, 0.0, 1.0)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Push:
+    key: str
+    """What it acts on, e.g. `car::base_link`."""
+    start_ns: int
+    end_ns: float
+    act: Callable[[], None]
+    end: Callable[[], None]
+
+
+class Pushes:
+    """What pushes in the steps that come; it costs nothing while nothing pushes."""
+
+    def __init__(self, gazebo: Gazebo) -> None:
+        self._gazebo = gazebo
+        self._pushes: list[_Push] = []
+
+    def add(self, push: _Push) -> None:
+        """Let it act from its start on."""
+        if not self._pushes:
+            self._gazebo.world.before_step.append(self._act)
+        self._pushes.append(push)
+
+    def clear(self, kind: str, key: str) -> None:
+        """Take back what acts on something."""
+        for push in [one for one in self._pushes if one.key == f"{kind} {key}"]:
+            self._drop(push)
+
+    def _act(self) -> None:
+        now = self._gazebo.node.now().to_nsec()
+        for push in tuple(self._pushes):
+            if now >= push.end_ns:
+                self._drop(push)
+            elif now >= push.start_ns:
+                push.act()
+
+    def _drop(self, push: _Push) -> None:
+        self._pushes.remove(push)
+        push.end()
+        if not self._pushes:
+            self._gazebo.world.before_step.remove(self._act)
+
+
+def services(gazebo: Gazebo) -> list[Service]:
+    """The services of this group."""
+    pushes = Pushes(gazebo)
+    # What acts on a model that is taken out must not act on.
+    gazebo.on_delete.append(lambda spawned: pushes.clear("model", spawned.name))
+
+    def push_body(request: Any, _response: Any) -> str:
+        model, link = link_of(gazebo, request.body_name, "ApplyBodyWrench")
+        frame = gazebo.frame(request.reference_frame)
+        force = turned(frame, vector_of(request.wrench.force))
+        torque = turned(frame, vector_of(request.wrench.torque))
+        here = compose(frame, Placement(vector_of(request.reference_point), _STILL))
+        point = compose(inverse(model.link_pose(link)), here).translation
+        if not request.reference_frame:
+            point = (0.0, 0.0, 0.0)  # said in no frame: at the link itself
+        start, end = _span(gazebo, request)
+
+        def act() -> None:
+            if model.name in gazebo.world.models:
+                model.push(link, force=force, torque=torque, point=point)
+
+        push = _Push(
+            key=f"body {request.body_name}", start_ns=start, end_ns=end, act=act, end=_nothing
+        )
+        pushes.add(push)
+        return "ApplyBodyWrench: success"
+
+    def drive_joint(request: Any, _response: Any) -> str:
+        joint = joint_of(gazebo, request.joint_name, "ApplyJointEffort")
+        start, end = _span(gazebo, request)
+        effort = request.effort
+        push = _Push(
+            key=f"joint {request.joint_name}",
+            start_ns=start,
+            end_ns=end,
+            act=lambda: joint.command_effort(effort),
+            end=joint.release,
+        )
+        pushes.add(push)
+        return "ApplyJointEffort: effort set"
+
+    def clear_body(request: Any, _response: Any) -> str:
+        pushes.clear("body", request.body_name)
+        return ""
+
+    def clear_joint(request: Any, _response: Any) -> str:
+        pushes.clear("joint", request.joint_name)
+        return ""
+
+    return [
+        Service(
+            name="apply_body_wrench", type_name="gazebo_msgs/ApplyBodyWrench", answer=push_body
+        ),
+        Service(
+            name="apply_joint_effort", type_name="gazebo_msgs/ApplyJointEffort", answer=drive_joint
+        ),
+        Service(name="clear_body_wrenches", type_name="gazebo_msgs/BodyRequest", answer=clear_body),
+        Service(
+            name="clear_joint_efforts", type_name="gazebo_msgs/JointRequest", answer=clear_joint
+        ),
+    ]
+
+
+def _span(gazebo: Gazebo, request: Any) -> tuple[int, float]:
+    """From when to when a request acts [ns]."""
+    start = max(request.start_time.to_nsec(), gazebo.node.now().to_nsec())
+    duration = request.duration.to_nsec()
+    return start, float("inf") if duration < 0 else start + duration
+
+
+def _nothing() -> None:
+    """A push ends by not acting any more."""

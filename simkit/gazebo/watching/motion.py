@@ -1,0 +1,126 @@
+"""How a model moved on the floor in the last looks, and what its wheels were told."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from simkit.gazebo.watching.drive import Drive
+from simkit.tf.rotation import roll_pitch_yaw
+from simkit.tf.transform import Vector
+
+LOOK_S = 0.1
+"""Time between two looks [s]."""
+KEPT = 60
+"""So many intervals are remembered."""
+STEEP = 0.1
+"""What moves faster up or down [m/s] falls or jumps."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Moment:
+    """One look."""
+
+    place: Vector
+    """Where the model is in the world [m]."""
+    yaw: float
+    """Which way it looks [rad]."""
+    speed: float
+    """How fast it moves [m/s]."""
+    spin: float
+    """How fast it turns [rad/s]."""
+    command: tuple[float, float]
+    """What the wheels are told: speed forward [m/s], turning to the left [rad/s]."""
+    rolled: tuple[float, float]
+    """What they do."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Means:
+    """Means over some looks, each as speed forward [m/s] and turning to the left [rad/s]."""
+
+    command: tuple[float, float]
+    """What the wheels were told."""
+    rolled: tuple[float, float]
+    """What they did."""
+    moved: tuple[float, float]
+    """What the model did."""
+
+
+class Motion:
+    """The last looks at a model; it forgets them when the model falls, or is put somewhere.
+
+    Args:
+        drive: Its wheels.
+    """
+
+    def __init__(self, drive: Drive) -> None:
+        self._drive = drive
+        self._moments: deque[Moment] = deque(maxlen=KEPT + 1)
+
+    def look(self) -> None:
+        """Look once more."""
+        pose, (linear, angular) = self._drive.model.pose, self._drive.model.twist
+        moment = Moment(
+            place=pose.translation,
+            yaw=roll_pitch_yaw(pose.rotation)[2],
+            speed=math.hypot(*linear),
+            spin=math.hypot(*angular),
+            command=self._drive.command(),
+            rolled=self._drive.rolled(),
+        )
+        if self._moments and _jumps(self._moments[-1], moment):
+            self._moments.clear()
+        self._moments.append(moment)
+
+    def last(self, looks: int) -> list[Moment]:
+        """The moments around the last so many intervals, the oldest first; none if there were not as many."""
+        if len(self._moments) <= looks:
+            return []
+        return [self._moments[number] for number in range(-looks - 1, 0)]
+
+
+def means(moments: Sequence[Moment]) -> Means:
+    """What the time between some moments was like."""
+    seconds = (len(moments) - 1) * LOOK_S
+    ways = [_step(one, other) for one, other in itertools.pairwise(moments)]
+    return Means(
+        command=_mean([one.command for one in moments[:-1]]),
+        rolled=_mean([one.rolled for one in moments[1:]]),
+        moved=(sum(way for way, _ in ways) / seconds, sum(turn for _, turn in ways) / seconds),
+    )
+
+
+def turned(start: float, end: float) -> float:
+    """The smallest turn from one angle to another [rad]."""
+    return math.remainder(end - start, math.tau)
+
+
+def signed(value: float) -> str:
+    """A speed for people, with its sign, which is + for nothing."""
+    return f"{round(value, 2) + 0.0:+.2f}"
+
+
+def _step(one: Moment, other: Moment) -> tuple[float, float]:
+    """Way forward [m] and turn [rad] between two looks."""
+    turn = turned(one.yaw, other.yaw)
+    heading = one.yaw + turn / 2.0
+    dx, dy = other.place[0] - one.place[0], other.place[1] - one.place[1]
+    return dx * math.cos(heading) + dy * math.sin(heading), turn
+
+
+def _jumps(one: Moment, other: Moment) -> bool:
+    """Whether a model fell between two looks, or moved farther than its velocities can tell."""
+    is_steep = abs(other.place[2] - one.place[2]) > STEEP * LOOK_S
+    reach = 0.05 + 2.0 * LOOK_S * max(one.speed, other.speed)
+    swing = 0.1 + 2.0 * LOOK_S * max(one.spin, other.spin)
+    is_far = math.dist(one.place, other.place) > reach
+    return is_steep or is_far or abs(turned(one.yaw, other.yaw)) > swing
+
+
+def _mean(twists: list[tuple[float, float]]) -> tuple[float, float]:
+    first, second = (sum(values) / len(twists) for values in zip(*twists, strict=True))
+    return first, second
