@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
 
 
@@ -18,6 +17,8 @@ def near_names(name: str, known: Iterable[str], limit: int = 3) -> list[str]:
         known: What exists.
         limit: At most so many.
     """
+    import difflib  # only who has made a mistake waits for it
+
     by_folded: dict[str, str] = {}
     for candidate in sorted(known):
         by_folded.setdefault(candidate.lower(), candidate)

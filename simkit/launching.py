@@ -21,7 +21,6 @@ class Launching:
     graph: Graph
     packages: PackagePath
     _launches: list[Launch]
-    _shown_robots: set[str]
 
     def rosrun(
         self,
@@ -122,8 +121,8 @@ class Launching:
         from simkit.launch import robot_lines
 
         for text, lines in robot_lines(plan, self.packages).items():
-            if text not in self._shown_robots:
-                self._shown_robots.add(text)
+            if text not in self.graph.told:
+                self.graph.told.add(text)
                 for line in lines:
                     launch.say(line)
 

@@ -72,7 +72,6 @@ class Simulation(Talking, Steering, Simulating, Plotting, SeeingWorld, Launching
         self._builtins: list[RunningBuiltin] = []
         self._views: list[Callable[[], None]] = []
         self._launches: list[Launch] = []
-        self._shown_robots: set[str] = set()
         self._sliders = []
         self._closers = []
         self._node = self.graph.create_node("/simkit")

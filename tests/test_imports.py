@@ -41,7 +41,7 @@ MAY_IMPORT = {
     "simkit.plugins": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.urdf "
     "simkit.physics",
     "simkit.gazebo": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
-    "simkit.urdf simkit.packages simkit.tools simkit.physics simkit.plugins",
+    "simkit.urdf simkit.urdf.rules simkit.packages simkit.tools simkit.physics simkit.plugins",
     "simkit.simulating": "simkit.errors simkit.graph simkit.gazebo simkit.packages simkit.physics "
     "simkit.running simkit.urdf",
     "simkit.launch": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
@@ -94,7 +94,8 @@ HANDS_OUT = ("simkit", "simkit.tf", "grader")
 # grader imports these of simkit, and of the packages only what their `__all__` lists.
 SIMKIT_FOR_GRADER = (
     "simkit simkit.errors simkit.graph simkit.graph.process simkit.msgs simkit.nodes simkit.tf "
-    "simkit.diagnostics simkit.packages simkit.urdf simkit.urdf.rules simkit.xml"
+    "simkit.diagnostics simkit.gazebo simkit.packages simkit.physics simkit.urdf simkit.urdf.rules "
+    "simkit.xml"
 )
 EXCEPTIONS = {
     ("grader.run.checker", "simkit.simulation"): "loaded once by the warm parent, before it forks",

@@ -9,12 +9,12 @@ import argparse
 import os
 import sys
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 
 from simkit.cli.complaint import FAILURE, USAGE_ERROR, complain
 from simkit.cli.robot_file import RobotFile, read_file
 from simkit.diagnostics import Diagnostic, Rule, Severity, as_json, as_text, summary
 from simkit.errors import SimkitError, near_names
+from simkit.record import replace
 from simkit.urdf import check_urdf_text, read_robot
 from simkit.urdf.rules import Companion, CompanionKind, all_rules, check_robot
 

@@ -7,16 +7,15 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from simkit import msgs
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.msgs.catalog import message_definition_text, service_definition_texts
 from simkit.msgs.definition_text import message_text, service_text
+from simkit.record import Record
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Kind:
+class _Kind(Record):
     """Messages or services: what differs between the two commands."""
 
     word: str

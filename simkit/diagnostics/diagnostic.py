@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Iterable
-from dataclasses import dataclass
 
+from simkit.record import Record
 from simkit.xml import Span
 
 
@@ -20,8 +20,7 @@ class Severity(enum.Enum):
     """Worth knowing; often meant so."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Related:
+class Related(Record):
     """A second place that belongs to a find."""
 
     file: str
@@ -34,8 +33,7 @@ class Related:
     """The line of the file; empty if it need not be shown."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Diagnostic:
+class Diagnostic(Record):
     """One find."""
 
     rule: str

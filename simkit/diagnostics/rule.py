@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from typing import Any
 
 from simkit.diagnostics.diagnostic import Diagnostic, Severity
+from simkit.record import Record
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Rule:
+class Rule(Record):
     """One rule: looks at something and finds one kind of mistake in it.
 
     Its explanation is the docstring of the function that looks.
@@ -29,4 +27,6 @@ class Rule:
     @property
     def explanation(self) -> str:
         """What the mistake is, how it comes about, what to do: for `--explain`."""
+        import inspect  # takes 10 ms to load, and most calls explain nothing
+
         return inspect.cleandoc(self.look.__doc__ or "")

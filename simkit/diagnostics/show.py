@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import textwrap
 from collections.abc import Iterator, Sequence
 from typing import Any
@@ -47,6 +46,8 @@ def as_json(diagnostics: Sequence[Diagnostic]) -> str:
         "diagnostics": [_plain(one) for one in diagnostics],
         "summary": counts,
     }
+    import json  # only programs ask for it
+
     return json.dumps(listed, indent=2)
 
 

@@ -11,6 +11,7 @@ from simkit.diagnostics import Severity
 from simkit.gazebo.server import Gazebo
 from simkit.gazebo.services import offer_services
 from simkit.gazebo.topics import publish_states
+from simkit.gazebo.watching import watch
 from simkit.gazebo.worlds import find_world
 from simkit.graph import Node
 from simkit.packages import PackagePath
@@ -44,6 +45,7 @@ class GzServer(Program):
         self.gazebo = Gazebo(node, packages, description=world, paused=is_paused)
         offer_services(self.gazebo)
         publish_states(self.gazebo)
+        watch(self.gazebo)
 
 
 def _arguments(argv: list[str]) -> tuple[str, bool]:

@@ -20,6 +20,7 @@ from simkit.physics.poses import then
 from simkit.physics.sdf import ModelLibrary, SdfModel, SdfWorld, plan_model, read_model_text
 from simkit.urdf import load_robot
 from simkit.urdf.kinematics import Placement, compose, pose_transform
+from simkit.urdf.rules.brief import brief_lines
 
 WORLD_FRAMES = ("", "world", "map", "/map")
 """Names of reference frames that mean the world."""
@@ -95,6 +96,7 @@ class Gazebo:
             SpawnError: There is a model of that name, no such frame, or nothing that can be simulated.
         """
         at = self._placed(name, pose, reference_frame)
+        self._tell_faults(text, file or name)
         try:
             robot = load_robot(text, file=file or name, packages=self.packages)
             plan = plan_robot(robot)
@@ -205,6 +207,15 @@ class Gazebo:
                 f"/gazebo/delete_model '{{model_name: {name}}}'), or give another name.",
             )
         return then(self.frame(reference_frame), pose)
+
+    def _tell_faults(self, text: str, file: str) -> None:
+        """Say what check_urdf finds, once for each text."""
+        told = self.node.graph.told
+        if text in told:
+            return
+        told.add(text)
+        for line in brief_lines(text, file, self.packages, is_file=False):
+            self.node.warn(line)
 
     def _add(self, plan: ModelPlan, name: str, pose: Placement) -> Model:
         try:

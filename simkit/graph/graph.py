@@ -42,6 +42,7 @@ class Graph:
     Attributes:
         muted: Nodes of which the screen shows warnings and errors only, and what to call when something was not shown.
         departures: What to call when a node has left the graph.
+        told: Texts of robots whose faults were told already: nobody tells them again.
     """
 
     def __init__(self, executor: Executor, screen: Screen | None = None, *, seed: int = 0) -> None:
@@ -56,6 +57,7 @@ class Graph:
         self.screen = screen
         self.muted: dict[str, Callable[[], None]] = {}
         self.departures: list[Callable[[], None]] = []
+        self.told: set[str] = set()
 
     def now(self) -> Time:
         """Virtual time."""

@@ -19,10 +19,13 @@ class UpdateRate:
     def __init__(self, hertz: float, now_ns: int) -> None:
         self.period_ns = round(1e9 / hertz) if hertz > 0.0 else 0
         self._last_ns = now_ns
+        self.elapsed_ns = 0
+        """Time that it takes to have passed when it is due: a period, and what is over [ns]."""
 
     def is_due(self, now_ns: int) -> bool:
         """Whether it is due; asked once a step."""
         if now_ns - self._last_ns <= self.period_ns and self.period_ns:
             return False
+        self.elapsed_ns = now_ns - self._last_ns
         self._last_ns = self._last_ns + self.period_ns if self.period_ns else now_ns
         return True

@@ -47,7 +47,7 @@ class Site:
             gazebo_ros: `<robotNamespace>`, which spawning adds where it is missing; else the model's name.
         """
         tag = self.element.child("robotNamespace")
-        if tag is not None:
+        if tag is not None and tag.text.strip():
             return tag.text.strip().strip("/")
         return self.model.name if self.namespace is None else self.namespace.strip("/")
 

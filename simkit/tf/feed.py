@@ -31,7 +31,7 @@ class TransformFeed:
         self._buffer = buffer
         self._now = now
         self._warn = warn
-        self._last_update = now()
+        self._last_update: Time | None = None
         self._watch = BroadcasterWatch()
         self._faults: list[str] = []
         self._counts: dict[tuple[str, ...], int] = {}
@@ -60,7 +60,7 @@ class TransformFeed:
 
     def _clear_on_jump_back(self) -> None:
         now = self._now()
-        if now < self._last_update:
+        if self._last_update is not None and now < self._last_update:
             jump = (self._last_update - now).to_sec()
             self._warn(f"Detected jump back in time of {jump:f}s. Clearing TF buffer.")
             self._buffer.clear()

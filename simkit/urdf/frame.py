@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from simkit.urdf.matrix import IDENTITY, Matrix, apply, product, rotation_matrix, transpose
 from simkit.urdf.model import Pose, Vector
 
 
-@dataclass(frozen=True, slots=True)
-class Frame:
+class Frame(NamedTuple):
     """Where a frame b stands in a frame a: T_ab."""
 
     rotation: Matrix = IDENTITY

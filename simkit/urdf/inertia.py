@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from simkit.record import Record
 from simkit.urdf.frame import Frame
 from simkit.urdf.matrix import Matrix, added, diagonal, eigenvalues, product, transpose
 from simkit.urdf.model import Box, Cylinder, Sphere, Vector
@@ -21,8 +21,7 @@ _FLAT = 1e-9
 "A principal moment that is smaller than this share of the largest one is as good as zero."
 
 
-@dataclass(frozen=True, slots=True)
-class Body:
+class Body(Record, kw_only=False):
     """How heavy something is, and how hard to turn, seen from some frame a."""
 
     mass: float

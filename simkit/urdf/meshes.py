@@ -14,8 +14,8 @@ from pathlib import Path, PurePosixPath
 from simkit.errors import SimkitError, near_names
 from simkit.packages import PackagePath
 
-_SCHEME = re.compile(r"([A-Za-z][A-Za-z0-9+.-]+):")
-_DRIVE = re.compile(r"/[A-Za-z]:")
+_SCHEME = r"([A-Za-z][A-Za-z0-9+.-]+):"
+_DRIVE = r"/[A-Za-z]:"
 
 
 class MeshFinder:
@@ -44,7 +44,7 @@ class MeshFinder:
         return self._found[filename]
 
     def _path(self, filename: str) -> Path:
-        match = _SCHEME.match(filename)
+        match = re.match(_SCHEME, filename)
         scheme = match[1].lower() if match else ""
         rest = filename[len(scheme) + 1 :].removeprefix("//") if match else filename
         if not filename.strip():
@@ -55,7 +55,7 @@ class MeshFinder:
             name, _, inner = rest.partition("/")
             return self._file(self._package(name), inner, f"package {name} has no {inner}")
         if scheme == "file":
-            path = Path(rest[1:] if _DRIVE.match(rest) else rest)
+            path = Path(rest[1:] if re.match(_DRIVE, rest) else rest)
             return self._file(path.parent, path.name, f"there is no {filename}")
         if not scheme:
             return self._file(self._folder, filename, f"there is no {filename} beside the URDF")

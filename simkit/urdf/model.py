@@ -7,18 +7,17 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
+from simkit.record import Record
 from simkit.xml import Document, Element
 
 Vector: TypeAlias = tuple[float, float, float]
 Rgba: TypeAlias = tuple[float, float, float, float]
 
 
-@dataclass(frozen=True, slots=True)
-class Pose:
+class Pose(NamedTuple):
     """Where something is in the frame of what it belongs to."""
 
     xyz: Vector = (0.0, 0.0, 0.0)
@@ -27,16 +26,14 @@ class Pose:
     """Roll, pitch, yaw about the fixed axes x, y, z [rad]; R = Rz Ry Rx."""
 
 
-@dataclass(frozen=True, slots=True)
-class Box:
+class Box(Record, kw_only=False):
     """A box around its origin."""
 
     size: Vector
     """Lengths along x, y, z [m]."""
 
 
-@dataclass(frozen=True, slots=True)
-class Cylinder:
+class Cylinder(Record, kw_only=False):
     """A cylinder around its origin, standing along z."""
 
     radius: float
@@ -45,16 +42,14 @@ class Cylinder:
     """Length along z [m]."""
 
 
-@dataclass(frozen=True, slots=True)
-class Sphere:
+class Sphere(Record, kw_only=False):
     """A sphere around its origin."""
 
     radius: float
     """Radius [m]."""
 
 
-@dataclass(frozen=True, slots=True)
-class Mesh:
+class Mesh(Record, kw_only=False):
     """A shape from a file."""
 
     filename: str
@@ -70,8 +65,7 @@ class Mesh:
 Geometry: TypeAlias = Box | Cylinder | Sphere | Mesh
 
 
-@dataclass(frozen=True, slots=True)
-class Material:
+class Material(Record, kw_only=False):
     """A named colour, or picture."""
 
     name: str
@@ -82,8 +76,7 @@ class Material:
     """File name of a picture."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Visual:
+class Visual(Record):
     """What is seen of a link."""
 
     geometry: Geometry
@@ -96,8 +89,7 @@ class Visual:
     """Its material, looked up: of several definitions of a name the first one; None if it has none."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Collision:
+class Collision(Record):
     """What other things touch of a link."""
 
     geometry: Geometry
@@ -108,8 +100,7 @@ class Collision:
     """Its name; mostly empty."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Inertial:
+class Inertial(Record):
     """How heavy a link is, and how hard to turn."""
 
     mass: float
@@ -125,8 +116,7 @@ class Inertial:
     izz: float = 0.0
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Link:
+class Link(Record):
     """A rigid body."""
 
     name: str
@@ -152,8 +142,7 @@ class JointType(enum.Enum):
     PLANAR = "planar"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Limit:
+class Limit(Record):
     """How far, how strong, how fast."""
 
     lower: float = 0.0
@@ -166,8 +155,7 @@ class Limit:
     """Largest speed [rad/s or m/s]."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Safety:
+class Safety(Record):
     """Soft limits."""
 
     soft_lower: float = 0.0
@@ -178,8 +166,7 @@ class Safety:
     k_velocity: float
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Mimic:
+class Mimic(Record):
     """A joint that follows another: position = multiplier * that of the other + offset."""
 
     joint: str
@@ -189,8 +176,7 @@ class Mimic:
     """[rad or m]."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Joint:
+class Joint(Record):
     """How a child link hangs on its parent."""
 
     name: str
@@ -221,8 +207,7 @@ class Joint:
         return self.type in (JointType.REVOLUTE, JointType.CONTINUOUS, JointType.PRISMATIC)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Robot:
+class Robot(Record):
     """A whole robot: a tree of links."""
 
     name: str

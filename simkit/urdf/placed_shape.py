@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from simkit.urdf.frame import Frame
 from simkit.urdf.matrix import apply, transpose
@@ -20,8 +19,7 @@ _ROUNDS = 100
 "So many steps decide whether two shapes overlap; a case so close that they do not is no overlap."
 
 
-@dataclass(frozen=True, slots=True)
-class PlacedShape:
+class PlacedShape(NamedTuple):
     """A shape in a frame."""
 
     shape: Primitive

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 from simkit.packages import PackagePath
+from simkit.record import Record
 from simkit.urdf.meshes import MeshFinder
 from simkit.urdf.model import Joint, Link, Material, Robot
 from simkit.urdf.places import Places
@@ -20,8 +20,7 @@ from simkit.urdf.urdfdom.tree import NoTreeError, find_loop, find_root
 from simkit.xml import Document, Element, parse_xml
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Reading:
+class Reading(Record):
     """What urdfdom makes of a file."""
 
     robot: Robot | None

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from simkit.record import Record
 from simkit.xml.letters import NAME, NAME_START, QUOTES, WHITE, is_foreign, short, spoken
 from simkit.xml.pattern import Pattern
 
@@ -16,8 +15,7 @@ _DOUBLED = Pattern(r"([\"'])\1([^ \t\n<>\"'/][^\n<>\"']*+)\1+")
 _NAME_LENGTH = 200
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class MissingQuote:
+class MissingQuote(Record):
     """A value without a quotation mark at its end."""
 
     end: int
@@ -26,8 +24,7 @@ class MissingQuote:
     """Where reading goes on."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Unquoted:
+class Unquoted(Record):
     """A value without quotation marks that XML knows."""
 
     start: int

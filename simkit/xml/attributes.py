@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from simkit.xml.attribute_faults import (
     MissingQuote,
@@ -27,8 +27,7 @@ _QUOTED = Pattern(r"[\"']([^\"'\n<>]*+)")
 _TO_SPACE = str.maketrans("\t\n", "  ")
 
 
-@dataclass(frozen=True, slots=True)
-class _Place:
+class _Place(NamedTuple):
     """Where an attribute stands: index of its name, and of its value's first letter and of the one behind it."""
 
     name: str

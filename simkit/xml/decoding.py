@@ -8,17 +8,17 @@ from __future__ import annotations
 
 import codecs
 import re
-from dataclasses import dataclass
+
+from simkit.record import Record
 
 _DECLARED = re.compile(rb"\s*<\?xml\s(?:[^>]*?\s)?encoding\s*=\s*[\"']([A-Za-z][\w.-]*)[\"']")
-_DECLARED_IN_TEXT = re.compile(r"<\?xml\s(?:[^>]*?\s)?encoding\s*=\s*[\"']([A-Za-z][\w.-]*)[\"']")
+_DECLARED_IN_TEXT = r"<\?xml\s(?:[^>]*?\s)?encoding\s*=\s*[\"']([A-Za-z][\w.-]*)[\"']"
 _LOOKED_AT = 400
 _ASCII = bytes([9, 10, 13, *range(32, 127)])
 _NO_SETS = {"unicode_escape", "raw_unicode_escape", "utf-7", "idna", "punycode", "mbcs", "oem"}
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Decoded:
+class Decoded(Record):
     """The text of some bytes."""
 
     text: str
@@ -45,7 +45,7 @@ def decode(data: bytes) -> Decoded:
 
 def _sixteen_bit(data: bytes, encoding: str) -> Decoded:
     decoded = _decode(data, encoding, encoding.upper())
-    declared = _DECLARED_IN_TEXT.match(decoded.text[:_LOOKED_AT])
+    declared = re.match(_DECLARED_IN_TEXT, decoded.text[:_LOOKED_AT])
     if declared is None or declared[1].lower() in (
         "utf-16",
         encoding,

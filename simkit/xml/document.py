@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from simkit.record import Record
 
 
-@dataclass(frozen=True, slots=True, order=True)
-class Span:
+class Span(NamedTuple):
     """A piece of one line."""
 
     line: int
@@ -52,8 +53,7 @@ class FaultKind(enum.Enum):
     """Elements nested beyond all use; what is deeper is left out."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Fault:
+class Fault(Record):
     """One thing that is wrong with the text as XML."""
 
     kind: FaultKind
@@ -68,8 +68,7 @@ class Fault:
     """A second place that belongs to it, e.g. the start tag that is not closed."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Attribute:
+class Attribute(NamedTuple):
     """One attribute of a start tag."""
 
     name: str
@@ -82,24 +81,42 @@ class Attribute:
     """Where its value stands, without the quotation marks; of one over several lines the first one."""
 
 
-@dataclass(slots=True, eq=False, kw_only=True)
 class Element:
-    """One element."""
+    """One element.
 
-    name: str
-    """Its name, with a prefix if there is one."""
-    span: Span
-    """Where its name stands in the start tag."""
-    attributes: tuple[Attribute, ...] = ()
-    """Its attributes in the order of the text, each name once: of duplicates the first."""
-    children: list[Element] = field(default_factory=list)
-    """The elements in it, in the order of the text."""
-    text: str = ""
-    """The text directly in it, without that of its children."""
-    text_span: Span | None = None
-    """Where the first letter of that text that is not white space stands; None if there is none."""
-    parent: Element | None = None
-    """The element it stands in; None for a root."""
+    A plain class, as there are many of them: no record is made as fast, or as small.
+    """
+
+    __slots__ = ("attributes", "children", "name", "parent", "span", "text", "text_span")
+
+    def __init__(
+        self,
+        *,
+        name: str,
+        span: Span,
+        attributes: tuple[Attribute, ...] = (),
+        children: list[Element] | None = None,
+        text: str = "",
+        text_span: Span | None = None,
+        parent: Element | None = None,
+    ) -> None:
+        self.name = name
+        """Its name, with a prefix if there is one."""
+        self.span = span
+        """Where its name stands in the start tag."""
+        self.attributes = attributes
+        """Its attributes in the order of the text, each name once: of duplicates the first."""
+        self.children: list[Element] = [] if children is None else children
+        """The elements in it, in the order of the text."""
+        self.text = text
+        """The text directly in it, without that of its children."""
+        self.text_span = text_span
+        """Where the first letter of that text that is not white space stands; None if there is none."""
+        self.parent = parent
+        """The element it stands in; None for a root."""
+
+    def __repr__(self) -> str:
+        return f"<Element {self.path} in line {self.span.line}>"
 
     def attribute(self, name: str) -> Attribute | None:
         """The attribute of that name."""
@@ -153,8 +170,7 @@ class Element:
         return f"{self.name}[{twins.index(self) + 1}]" if len(twins) > 1 else self.name
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Document:
+class Document(Record):
     """One XML text."""
 
     file: str

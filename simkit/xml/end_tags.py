@@ -6,8 +6,8 @@ The tags that follow decide: whoever wrote one wrong tag wrote the others right.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from simkit.record import Record
 from simkit.xml.document import FaultKind
 from simkit.xml.letters import short
 from simkit.xml.open_elements import OpenElement, OpenElements
@@ -23,8 +23,7 @@ _REACH = 8
 """Open elements whose names an end tag is compared with."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Verdict:
+class Verdict(Record):
     """What an end tag does."""
 
     closes: int

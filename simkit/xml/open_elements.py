@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from dataclasses import dataclass, field
 
 from simkit.xml.document import Element
 from simkit.xml.tokens import StartTag, Text
@@ -13,16 +12,21 @@ _MAX_TEXTS = 50
 _LONGEST_TEXT = 1000
 
 
-@dataclass(slots=True)
 class OpenElement:
-    """An element whose end tag is still to come."""
+    """An element whose end tag is still to come.
 
-    tag: StartTag
-    """Its start tag."""
-    element: Element | None
-    """The element; None if it is nested too deep to be kept."""
-    texts: list[Text] = field(default_factory=list)
-    """The pieces of text directly in it, so far."""
+    Args:
+        tag: Its start tag.
+        element: The element; None if it is nested too deep to be kept.
+    """
+
+    __slots__ = ("element", "tag", "texts")
+
+    def __init__(self, tag: StartTag, element: Element | None) -> None:
+        self.tag = tag
+        self.element = element
+        self.texts: list[Text] = []
+        """The pieces of text directly in it, so far."""
 
     @property
     def name(self) -> str:

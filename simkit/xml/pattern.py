@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from simkit.xml.letters import ASCII_START, FOREIGN_ASCII, FOREIGN_LETTERS, START
+from simkit.xml.letters import ASCII_START, FOREIGN_ASCII, FOREIGN_LETTERS, INNER, START
 
 
 class Pattern:
@@ -48,7 +48,7 @@ class Pattern:
         """The compiled pattern for a text; who matches often keeps it."""
         if text.isascii():
             if self._of_ascii is None:
-                plain = self._pattern.replace(START, ASCII_START)
+                plain = self._pattern.replace(START, ASCII_START).replace(INNER, "")
                 plain = plain.replace(FOREIGN_LETTERS, FOREIGN_ASCII)
                 self._of_ascii = re.compile(plain, self._flags)
             return self._of_ascii

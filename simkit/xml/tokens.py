@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from simkit.xml.document import Attribute
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class StartTag:
+class StartTag(NamedTuple):
     """`<name attribute="value">` or `<name/>`."""
 
     name: str
@@ -25,8 +24,7 @@ class StartTag:
     """Whether its end is faulty, and a fault says so: it may have been meant to end with `/>`."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class EndTag:
+class EndTag(NamedTuple):
     """`</name>`."""
 
     name: str
@@ -37,8 +35,7 @@ class EndTag:
     """Index behind the tag."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Text:
+class Text(NamedTuple):
     """Text between tags."""
 
     value: str

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
+from simkit.record import Record
 from simkit.xml.document import Element, FaultKind, Span
 from simkit.xml.letters import NAME, SPACE, WHITE, short
 from simkit.xml.open_elements import OpenElement, OpenElements
@@ -69,8 +69,7 @@ def _twin(one: OpenElement) -> int | None:
     return None
 
 
-@dataclass(frozen=True, slots=True)
-class _Note:
+class _Note(Record, kw_only=False):
     """What is to be said of an element that is not closed."""
 
     source: Source

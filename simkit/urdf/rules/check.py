@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from simkit.diagnostics import Diagnostic, Rule, Severity, in_order
+from simkit.record import replace
 from simkit.urdf.rules.companion import Companion
 from simkit.urdf.rules.registry import rules_for
 from simkit.urdf.rules.sheet import MOST_FINDS, Sheet, read_sheet

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import enum
-from dataclasses import dataclass
 from typing import Any
 
+from simkit.record import Record
 from simkit.xml import Document, parse_xml
 
 
@@ -16,8 +16,7 @@ class CompanionKind(enum.Enum):
     YAML = "yaml"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Companion:
+class Companion(Record):
     """One file beside the URDF."""
 
     kind: CompanionKind

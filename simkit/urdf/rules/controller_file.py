@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from simkit.record import Record
 from simkit.urdf.rules.companion import Companion
 from simkit.xml import Span
 
@@ -17,16 +17,14 @@ _DEEPEST = 6
 _MOST = 10_000
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Word:
+class Word(Record):
     """A text in a YAML file."""
 
     text: str
     span: Span
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Controller:
+class Controller(Record):
     """One controller."""
 
     companion: Companion
@@ -41,8 +39,7 @@ class Controller:
     """All words that it sets."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Faulty:
+class Faulty(Record):
     """A YAML file that cannot be read."""
 
     problem: str

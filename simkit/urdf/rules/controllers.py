@@ -26,16 +26,38 @@ _NEEDED = {
     "velocity_controllers": "VelocityJointInterface",
     "effort_controllers": "EffortJointInterface",
 }
-_OTHERS = (
-    "joint_state_controller/JointStateController",
+_KINDS = {
+    "position_controllers": (
+        "JointTrajectoryController",
+        "JointPositionController",
+        "JointGroupPositionController",
+    ),
+    "velocity_controllers": (
+        "JointTrajectoryController",
+        "JointVelocityController",
+        "JointPositionController",
+        "JointGroupVelocityController",
+    ),
+    "effort_controllers": (
+        "JointTrajectoryController",
+        "JointEffortController",
+        "JointPositionController",
+        "JointVelocityController",
+        "JointGroupEffortController",
+        "JointGroupPositionController",
+    ),
+    "joint_state_controller": ("JointStateController",),
+    "pos_vel_controllers": ("JointTrajectoryController",),
+    "pos_vel_acc_controllers": ("JointTrajectoryController",),
+}
+TYPES = tuple(f"{family}/{kind}" for family, kinds in _KINDS.items() for kind in kinds)
+"""Types of controllers that simkit has."""
+_ELSEWHERE = (
     "diff_drive_controller/DiffDriveController",
-    "pos_vel_controllers/JointTrajectoryController",
-    "pos_vel_acc_controllers/JointTrajectoryController",
     "position_controllers/GripperActionController",
     "effort_controllers/GripperActionController",
 )
-TYPES = (*(f"{family}/{one}" for family in _NEEDED for one in (*_GROUP, *_SINGLE)), *_OTHERS)
-"""Types of controllers, of ros_controllers."""
+"Types that ros_controllers has besides."
 
 
 def controller_faults(sheet: Sheet, offered: Mapping[str, str | None]) -> Iterator[Diagnostic]:
@@ -130,9 +152,9 @@ def _type_faults(sheet: Sheet, controller: Controller, moving: list[str]) -> Ite
         )
         return
     if kind.text not in TYPES:
-        near = nearest(kind.text, TYPES)
+        near = None if kind.text in _ELSEWHERE else nearest(kind.text, TYPES)
         family = kind.text.partition("/")[0]
-        is_foreign = near is None and family not in _NEEDED
+        is_foreign = kind.text in _ELSEWHERE or (near is None and family not in _NEEDED)
         yield _find(
             sheet,
             "CTL-E01",

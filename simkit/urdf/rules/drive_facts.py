@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
+from simkit.record import Record
 from simkit.urdf.frame import Frame
 from simkit.urdf.matrix import apply
 from simkit.urdf.model import Cylinder, Sphere, Vector
@@ -29,8 +29,7 @@ _DEFAULTS = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Wheel:
+class Wheel(Record):
     """One driven wheel, all joints at 0, seen from the base frame of the robot."""
 
     joint: JointEntry
@@ -47,8 +46,7 @@ class Wheel:
     """z of its lowest point, seen from the root link [m]; None if it touches nothing."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Drive:
+class Drive(Record):
     """A drive plugin whose joints all exist."""
 
     plugin: PluginEntry

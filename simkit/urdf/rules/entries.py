@@ -3,19 +3,16 @@
 A number, name or vector is None where it is missing or unreadable; where URDF has a default and the attribute or element
 is missing, it is the default. Lengths in metres, angles in radians, masses in kilograms. Each entry has the element that
 it was read from, for places: `entry.element.span_of("lower")`.
-
-They are named tuples, for Python makes these classes four times as fast as dataclasses, and check_urdf starts often.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from simkit.record import Record
 from simkit.urdf.model import Geometry, Rgba, Vector
 from simkit.xml import Element
 
 
-class OriginEntry(NamedTuple):
+class OriginEntry(Record):
     """An `<origin>`; all zero if there is none."""
 
     element: Element | None
@@ -26,7 +23,7 @@ class OriginEntry(NamedTuple):
     """Roll, pitch, yaw about fixed axes [rad]."""
 
 
-class BodyEntry(NamedTuple):
+class BodyEntry(Record):
     """A `<visual>` or `<collision>`."""
 
     element: Element
@@ -43,7 +40,7 @@ class BodyEntry(NamedTuple):
     """The `<material>` of a visual; None if there is none."""
 
 
-class InertialEntry(NamedTuple):
+class InertialEntry(Record):
     """An `<inertial>`."""
 
     element: Element
@@ -58,7 +55,7 @@ class InertialEntry(NamedTuple):
     """ixx, ixy, ixz, iyy, iyz, izz [kg m^2], about the centre of mass; None unless all can be read."""
 
 
-class LinkEntry(NamedTuple):
+class LinkEntry(Record):
     """A `<link>`."""
 
     element: Element
@@ -70,7 +67,7 @@ class LinkEntry(NamedTuple):
     collisions: tuple[BodyEntry, ...]
 
 
-class LimitEntry(NamedTuple):
+class LimitEntry(Record):
     """A `<limit>`."""
 
     element: Element
@@ -83,7 +80,7 @@ class LimitEntry(NamedTuple):
     """[rad/s or m/s]; None if it is not there."""
 
 
-class JointEntry(NamedTuple):
+class JointEntry(Record):
     """A `<joint>` of the robot."""
 
     element: Element
@@ -111,7 +108,7 @@ class JointEntry(NamedTuple):
         return self.type in ("revolute", "continuous", "prismatic")
 
 
-class MaterialEntry(NamedTuple):
+class MaterialEntry(Record):
     """A `<material>` of the robot or of a visual."""
 
     element: Element
@@ -125,7 +122,7 @@ class MaterialEntry(NamedTuple):
     texture: str | None
 
 
-class GazeboEntry(NamedTuple):
+class GazeboEntry(Record):
     """A `<gazebo>` of the robot."""
 
     element: Element
@@ -133,7 +130,7 @@ class GazeboEntry(NamedTuple):
     """Link or joint that it belongs to, as written; None if it belongs to the robot."""
 
 
-class PluginEntry(NamedTuple):
+class PluginEntry(Record):
     """A `<plugin>` anywhere in a `<gazebo>`."""
 
     element: Element
@@ -148,7 +145,7 @@ class PluginEntry(NamedTuple):
         return self.element.child(name)
 
 
-class TransmissionEntry(NamedTuple):
+class TransmissionEntry(Record):
     """A `<transmission>`."""
 
     element: Element

@@ -7,8 +7,8 @@ rules only look for what is missing.
 from __future__ import annotations
 
 import shlex
-from dataclasses import dataclass
 
+from simkit.record import Record
 from simkit.urdf.rules.companion import Companion, CompanionKind
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import read_number
@@ -20,8 +20,7 @@ DESCRIPTION = "robot_description"
 _READERS = ("robot_state_publisher", "state_publisher", "joint_state_publisher", "joint_state_publisher_gui")  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class LaunchFile:
+class LaunchFile(Record):
     """One launch file."""
 
     companion: Companion

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
+from simkit.record import Record
 from simkit.urdf.rules.entries import JointEntry
 from simkit.urdf.rules.sheet import Sheet
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Loop:
+class Loop(Record):
     """Joints that lead from a link back to itself."""
 
     joints: tuple[JointEntry, ...]

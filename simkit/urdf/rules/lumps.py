@@ -7,8 +7,8 @@ is gone. It does not do so where the parent is `world`, or where a `<gazebo>` of
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
+from simkit.record import Record
 from simkit.urdf.rules.bodies import mass_of
 from simkit.urdf.rules.entries import LinkEntry
 from simkit.urdf.rules.gazebo_words import tag_value
@@ -24,8 +24,7 @@ KEEPING = ("preserveFixedJoint", "disableFixedJointLumping")
 """Tags of a joint that keep Gazebo from lumping."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Lump:
+class Lump(Record):
     """One body of Gazebo."""
 
     leader: LinkEntry

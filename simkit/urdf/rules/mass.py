@@ -54,13 +54,12 @@ def no_inertial(sheet: Sheet) -> Iterator[Diagnostic]:
     if len(bare) == len(sheet.links):
         yield from _robot_to_look_at(sheet)
         return
-    lump_of = lumps(sheet)
-    density = _density(sheet)
+    lump_of, density, whole = lumps(sheet), _density(sheet), is_whole(sheet)
     for link in bare:
         if link.name is None or is_world(sheet, link.name):
             continue
         lump = lump_of[link.name]
-        if not lump.mass and lump.leader is link:
+        if not lump.mass and lump.leader is link and (whole or not _is_torn_off(sheet, link)):
             yield _left_out(sheet, lump, density)
         elif lump.mass and link.collisions:
             yield _shape_without_mass(sheet, link, lump, density)
@@ -126,7 +125,7 @@ def root_inertia(sheet: Sheet) -> Iterator[Diagnostic]:
 
 def _robot_to_look_at(sheet: Sheet) -> Iterator[Diagnostic]:
     shown = [link for link in sheet.links if link.visuals or link.collisions]
-    if sheet.robot is None or not shown:
+    if sheet.robot is None or not shown or not is_whole(sheet):
         return
     touched = any(link.collisions for link in shown)
     without = "a mass" if touched else "a mass or a collision shape"
@@ -139,6 +138,12 @@ def _robot_to_look_at(sheet: Sheet) -> Iterator[Diagnostic]:
         gazebo="Gazebo would spawn an empty model: it leaves out links without a mass.",
         remedy="Right as it is for RViz. For a simulation give each link an <inertial> and a <collision>.",
     )
+
+
+def _is_torn_off(sheet: Sheet, link: LinkEntry) -> bool:
+    """Whether it may be for a wrong name at a joint that a link belongs to no other body; a find about that is enough."""
+    joint = next(iter(sheet.joints_above.get(link.name or "", ())), None)
+    return joint is None or (joint.type == "fixed" and joint.parent not in sheet.link_by_name)
 
 
 def _left_out(sheet: Sheet, lump: Lump, density: float | None) -> Diagnostic:

@@ -12,8 +12,8 @@ _UNITS = {
     **{"kg": 1.0, "g": 0.001, "rad": 1.0, "rads": 1.0, "n": 1.0, "nm": 1.0, "f": 1.0, "m/s": 1.0},
     **{"deg": math.pi / 180, "degrees": math.pi / 180, "°": math.pi / 180, "rad/s": 1.0},
 }
-_WITH_UNIT = re.compile(r"([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)\s*([a-z°/]{1,8})")
-_PI = re.compile(r"([+-]?)(?:([0-9.]+)\s*\*?\s*)?(?:math\.|m_)?(?:pi|π)(?:\s*/\s*([0-9.]+))?")
+_WITH_UNIT = r"([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)\s*([a-z°/]{1,8})"
+_PI = r"([+-]?)(?:([0-9.]+)\s*\*?\s*)?(?:math\.|m_)?(?:pi|π)(?:\s*/\s*([0-9.]+))?"
 _DASHES = str.maketrans({"−": "-", "–": "-", "—": "-", "\u00a0": " ", "\t": " ", "\n": " "})
 _LONGEST = 200
 
@@ -46,7 +46,7 @@ def _one(word: str) -> str | None:
 
 
 def _with_unit(word: str) -> str | None:
-    match = _WITH_UNIT.fullmatch(word)
+    match = re.fullmatch(_WITH_UNIT, word)
     number = None if match is None else read_number(match[1])
     if match is None or number is None or match[2] not in _UNITS:
         return None
@@ -54,7 +54,7 @@ def _with_unit(word: str) -> str | None:
 
 
 def _of_pi(word: str) -> str | None:
-    match = _PI.fullmatch(word)
+    match = re.fullmatch(_PI, word)
     if match is None:
         return None
     factor, part = read_number(match[2] or "1"), read_number(match[3] or "1")

@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from types import MappingProxyType
+
+from simkit.record import Record
 
 
 class Kind(enum.Enum):
@@ -37,8 +39,7 @@ class Place(enum.Enum):
     CONTACT = 'in a <sensor type="contact"> in a <gazebo reference="...">'
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PluginWord:
+class PluginWord(Record):
     """One plugin."""
 
     filename: str
@@ -47,9 +48,9 @@ class PluginWord:
     """Where it stands."""
     parameters: Mapping[str, Kind]
     """What it reads."""
-    defaults: Mapping[str, str] = field(default_factory=dict)
+    defaults: Mapping[str, str] = MappingProxyType({})
     """Names of joints and links that it takes where they are not given."""
-    other_spellings: Mapping[str, str] = field(default_factory=dict)
+    other_spellings: Mapping[str, str] = MappingProxyType({})
     """Words for a parameter that it does not read, with the one that it does."""
     unread: tuple[str, ...] = ("alwaysOn",)
     """Words that are often written, and have no effect."""
@@ -175,10 +176,13 @@ _WORDS = (
             "gaussianNoise": Kind.NOT_NEGATIVE,
             "xyzOffset": Kind.TEXT,
             "rpyOffset": Kind.TEXT,
-            "xyzOffsets": Kind.TEXT,
-            "rpyOffsets": Kind.TEXT,
         },
-        other_spellings={"body_name": "bodyName", "frame_name": "frameName"},
+        other_spellings={
+            "body_name": "bodyName",
+            "frame_name": "frameName",
+            "xyzOffsets": "xyzOffset",
+            "rpyOffsets": "rpyOffset",
+        },
         required=("bodyName", "topicName"),
     ),
     PluginWord(
@@ -204,7 +208,6 @@ _WORDS = (
             "robotNamespace": Kind.TEXT,
             "topicName": Kind.TEXT,
             "frameName": Kind.FRAME,
-            "bodyName": Kind.LINK,
             "updateRateHZ": Kind.NOT_NEGATIVE,
             "gaussianNoise": Kind.NOT_NEGATIVE,
             "xyzOffset": Kind.TEXT,
@@ -212,7 +215,8 @@ _WORDS = (
             "initialOrientationAsReference": Kind.BOOL,
         },
         other_spellings={"updateRate": "updateRateHZ"},
-        unread=("alwaysOn", "update_rate"),
+        unread=("alwaysOn", "update_rate", "bodyName"),
+        required=("frameName",),
     ),
     PluginWord(
         filename="libgazebo_ros_bumper.so",

@@ -7,12 +7,13 @@ so that each rule can look at its own matter. Misspelt words count as what they 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, TypeVar
 
 from simkit.diagnostics import Diagnostic, Related, Severity
 from simkit.errors import near_names
+from simkit.record import Record, replace
 from simkit.urdf.rules.companion import Companion
 from simkit.urdf.rules.entries import (
     GazeboEntry,
@@ -47,8 +48,17 @@ _MOST_NEAR = 60
 _MOST_KNOWN = 1000
 
 
-@dataclass(slots=True, eq=False, kw_only=True)
-class Sheet:
+class _Tally:
+    """How often something was done for a sheet so far."""
+
+    def __init__(self) -> None:
+        self.finds: dict[tuple[str, str], int] = {}
+        """Finds by rule and name of the element."""
+        self.near_asked = 0
+        """Questions for near names."""
+
+
+class Sheet(Record):
     """What a URDF file holds."""
 
     document: Document
@@ -73,19 +83,18 @@ class Sheet:
     """All plugins in them."""
     transmissions: tuple[TransmissionEntry, ...] = ()
     """All transmissions."""
-    link_by_name: Mapping[str, LinkEntry] = field(default_factory=dict)
+    link_by_name: Mapping[str, LinkEntry] = MappingProxyType({})
     """Links by name; of several of one name the first."""
-    joint_by_name: Mapping[str, JointEntry] = field(default_factory=dict)
+    joint_by_name: Mapping[str, JointEntry] = MappingProxyType({})
     """Joints by name; of several of one name the first."""
-    joints_below: Mapping[str, tuple[JointEntry, ...]] = field(default_factory=dict)
+    joints_below: Mapping[str, tuple[JointEntry, ...]] = MappingProxyType({})
     """Joints by the name of their parent link, whether or not there is such a link."""
-    joints_above: Mapping[str, tuple[JointEntry, ...]] = field(default_factory=dict)
+    joints_above: Mapping[str, tuple[JointEntry, ...]] = MappingProxyType({})
     """Joints by the name of their child link, whether or not there is such a link."""
     xacro: tuple[Element, ...] = ()
     """Elements that only xacro understands. If there are any, all lists above are empty: xacro must be run first."""
-    _mismatched: frozenset[Span | None] = frozenset()
-    _found: dict[tuple[str, str], int] = field(default_factory=dict)
-    _near_asked: int = 0
+    _mismatched: frozenset[Span | None]
+    _tally: _Tally
 
     def find(
         self,
@@ -117,8 +126,8 @@ class Sheet:
         """
         element = at if isinstance(at, Element) else element
         kind = (rule, "" if element is None else element.name)
-        self._found[kind] = self._found.get(kind, 0) + 1
-        is_told = self._found[kind] <= MOST_FINDS  # writing a path takes time
+        count = self._tally.finds[kind] = self._tally.finds.get(kind, 0) + 1
+        is_told = count <= MOST_FINDS  # writing a path takes time
         span = place(at)
         return Diagnostic(
             rule=rule,
@@ -151,8 +160,8 @@ class Sheet:
 
     def near(self, name: str, known: Iterable[str]) -> list[str]:
         """Up to three names of `known` that may be meant by `name`; none once it was asked very often."""
-        self._near_asked += 1
-        if self._near_asked > _MOST_NEAR or len(name) > 100:
+        self._tally.near_asked += 1
+        if self._tally.near_asked > _MOST_NEAR or len(name) > 100:
             return []
         short = [one for one in known if len(one) <= 100]
         return near_names(name, short[:_MOST_KNOWN])
@@ -196,6 +205,7 @@ def read_sheet(
         folder=Path(document.file).parent if folder is None else folder,
         robot=None,
         _mismatched=frozenset(span for one in mismatched for span in (one.span, one.other)),
+        _tally=_Tally(),
     )
     robot = with_lost_tags(document)
     if robot is None or meant_word(robot, ("robot",)) is None:

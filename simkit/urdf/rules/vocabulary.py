@@ -6,11 +6,11 @@ Source: the URDF specification, and what urdfdom reads.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from simkit.record import Record
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Word:
+class Word(Record):
     """What may stand in an element."""
 
     children: tuple[str, ...] = ()

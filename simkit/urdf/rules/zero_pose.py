@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from simkit.record import Record
 from simkit.urdf.frame import Frame
 from simkit.urdf.placed_shape import PlacedShape
 from simkit.urdf.rules.bodies import frame_of, shapes_of
@@ -11,8 +10,7 @@ from simkit.urdf.rules.entries import BodyEntry
 from simkit.urdf.rules.sheet import Sheet
 
 
-@dataclass(frozen=True, slots=True)
-class Standing:
+class Standing(Record, kw_only=False):
     """Where a link stands."""
 
     root: str

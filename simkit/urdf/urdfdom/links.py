@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
+from simkit.record import Record
 from simkit.urdf.model import Collision, Geometry, Inertial, Material, Pose, Visual
 from simkit.urdf.urdfdom.log import Log
 from simkit.urdf.urdfdom.numbers import MalformedError, number_of, origin_of
@@ -13,7 +12,7 @@ from simkit.urdf.urdfdom.tinyxml import TinyElement
 _TENSOR = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
-class RawVisual(NamedTuple):
+class RawVisual(Record):
     """A visual whose material has not been looked up yet."""
 
     geometry: Geometry

@@ -12,7 +12,7 @@ from simkit.urdf.model import Pose, Rgba, Vector
 from simkit.urdf.urdfdom.tinyxml import TinyElement
 
 _NUMBER = re.compile(r"[\t-\r ]*[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
-_INTEGER = re.compile(r"[\t-\r ]*([+-]?[0-9]+)(.*)", re.DOTALL)
+_INTEGER = r"(?s)[\t-\r ]*([+-]?[0-9]+)(.*)"
 _LONGEST = 20
 "So many letters of an integer are enough to tell it from 1 and 0."
 
@@ -116,7 +116,7 @@ def check_version(text: str | None) -> None:
 def _unsigned(text: str) -> int:
     if not text:
         raise MalformedError("One of the fields of the version attribute is blank")
-    match = _INTEGER.fullmatch(text)
+    match = re.fullmatch(_INTEGER, text)
     if match is None:
         raise MalformedError("Version attribute is not an integer")
     if match[2]:

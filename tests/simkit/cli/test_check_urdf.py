@@ -246,13 +246,22 @@ def test_colours_are_for_terminals_only(simkit, monkeypatch):
     assert "\x1b" not in simkit("check_urdf", name)[2]
 
 
-def test_it_starts_without_anything_heavy():
+def modules_loaded_for(name):
     program = (
         "import sys; from simkit.cli import main; "
-        "main(['check_urdf', 'hello_ros/urdf/refused.urdf']); print(*sys.modules)"
+        f"main(['check_urdf', 'hello_ros/urdf/{name}.urdf']); print(*sys.modules)"
     )
     done = subprocess.run(
         [sys.executable, "-c", program], capture_output=True, text=True, check=True
     )
+    return set(done.stdout.split())
+
+
+def test_it_starts_without_what_costs_a_few_milliseconds_each():
+    needless = {"dataclasses", "inspect", "shutil", "json", "difflib", "yaml"}
+    assert needless & modules_loaded_for("clean") == set()
+
+
+def test_it_starts_without_anything_heavy():
     heavy = {"numpy", "lxml", "matplotlib", "yaml", "rosbags", "asyncio", "simkit.simulation"}
-    assert heavy & set(done.stdout.split()) == set()
+    assert heavy & modules_loaded_for("refused") == set()

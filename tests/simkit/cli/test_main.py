@@ -1,5 +1,6 @@
 """`simkit` itself: help, unknown words, errors in one line."""
 
+import shutil
 import subprocess
 import sys
 
@@ -7,6 +8,7 @@ import pytest
 
 from simkit import __version__
 from simkit.cli import main
+from simkit.cli.parser import terminal_width
 from simkit.cli.registry import commands
 
 
@@ -40,6 +42,19 @@ def test_every_command_has_help_and_refuses_nonsense_in_one_line(simkit, name):
     assert code in (1, 2)
     assert err.count("\n") == 1
     assert "Traceback" not in err
+
+
+@pytest.mark.parametrize("columns", [None, "", "0", "-3", "many", "33", "200"])
+def test_help_is_as_wide_as_the_terminal(simkit, monkeypatch, columns):
+    monkeypatch.delenv("COLUMNS", raising=False)
+    if columns is not None:
+        monkeypatch.setenv("COLUMNS", columns)
+    assert terminal_width() == shutil.get_terminal_size().columns
+    monkeypatch.setattr("sys.__stdout__", None)
+    assert terminal_width() == shutil.get_terminal_size().columns
+    _, out, _ = simkit("check_urdf", "--help")
+    options = out.partition("options:")[2].partition("Standard output")[0]
+    assert max(map(len, options.splitlines())) <= terminal_width()
 
 
 def test_a_reader_that_has_enough_is_no_error():

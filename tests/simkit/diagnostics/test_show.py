@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import json
 import re
 
@@ -18,6 +17,7 @@ from simkit.diagnostics import (
     in_order,
     summary,
 )
+from simkit.record import replace
 from simkit.xml import Span
 
 FILE = "hello_ros/urdf/arm.urdf"
@@ -88,7 +88,7 @@ def test_colours_change_nothing_but_colours():
 
 
 def test_a_find_of_a_file_cannot_use_escapes():
-    rude = dataclasses.replace(
+    rude = replace(
         LIMIT, file="\x1b[2J.urdf", source="<a \x1b[2J/>", what="\x1b[2J", path="a\nb", related=()
     )
     assert "\x1b" not in as_text([rude])
@@ -97,11 +97,11 @@ def test_a_find_of_a_file_cannot_use_escapes():
 
 @given(st.text(), st.text())
 def test_any_find_can_be_shown(text, source):
-    find = dataclasses.replace(
+    find = replace(
         LIMIT, what=text, here=text, remedy=text, source=source, file=text, span=Span(1, 9, 3)
     )
-    related = dataclasses.replace(LIMIT.related[0], source=source, text=text)
-    find = dataclasses.replace(find, related=(related,))
+    related = replace(LIMIT.related[0], source=source, text=text)
+    find = replace(find, related=(related,))
     assert as_text([find]).endswith("\n")
     assert json.loads(as_json([find]))["diagnostics"][0]["what"] == text
 
@@ -154,17 +154,17 @@ def test_the_json_has_all_fields_in_order():
 
 
 def test_the_json_of_a_very_long_line_is_short():
-    long = dataclasses.replace(LIMIT, source="x" * 1_000_000, related=())
+    long = replace(LIMIT, source="x" * 1_000_000, related=())
     assert len(as_json([long] * 10)) < 50_000
 
 
 def test_the_summary_counts():
-    warning = dataclasses.replace(BARE, severity=Severity.WARNING)
+    warning = replace(BARE, severity=Severity.WARNING)
     assert summary([]) == "no faults found"
     assert summary([LIMIT]) == "1 error"
     assert summary([BARE, LIMIT, warning, LIMIT, BARE]) == "2 errors, 1 warning, 2 notes"
 
 
 def test_finds_are_in_the_order_of_the_text_each_once_the_worst_first():
-    note = dataclasses.replace(LIMIT, severity=Severity.NOTE)
+    note = replace(LIMIT, severity=Severity.NOTE)
     assert in_order([note, LIMIT, BARE, LIMIT]) == (BARE, LIMIT, note)

@@ -83,6 +83,37 @@ def test_a_tensor_in_a_remedy_stands_in_the_axes_of_the_shape(told):
     assert float(element.find("inertia").get("izz")) < float(element.find("inertia").get("ixx"))
 
 
+def test_a_misspelt_link_at_a_joint_is_not_told_as_a_missing_mass_too(told):
+    def rules(text):
+        return [one.rule for one in told(text)]
+
+    arm = link("arm", BODY + BOX) + joint("trunk", "arm")
+    root = link("base_link") + link("trunk", BODY + BOX) + joint("base_link", "trunk", "fixed")
+    tool = link("tool", "") + joint("arm", "tool", "fixed")
+    whole = root + arm + tool
+    assert "URDF-W10" not in rules(whole)
+    for wrong in ('<link name="base_lnk"', '<link name="tol"', '<link name="trnk"'):
+        right = wrong.replace("lnk", "link").replace("tol", "tool").replace("trnk", "trunk")
+        slipped = rules(whole.replace(right, wrong))
+        assert ("URDF-E02" in slipped, "URDF-W10" in slipped) == (True, False)
+    for end in ('parent link="base_link"', 'child link="tool"', 'parent link="arm"'):
+        slipped = rules(whole.replace(end, end[:-1] + 'x"'))
+        assert ("URDF-E02" in slipped, "URDF-W10" in slipped) == (True, False)
+
+
+def test_a_robot_to_look_at_is_told_so_once_its_tree_is_whole(told):
+    shown = '<visual><geometry><sphere radius="1"/></geometry></visual>'
+    text = link("base", shown) + link("arm", shown) + joint("base", "arm")
+    assert [one.rule for one in told(text, "URDF-W10")] == ["URDF-W10"]
+    assert told(text.replace('<link name="base"', '<link name="bse"'), "URDF-W10") == []
+
+
+def test_a_missing_mass_is_told_beside_a_misspelt_link_elsewhere(told):
+    links = link("base", BODY + BOX) + link("arm", POLE) + link("hand", BODY)
+    text = links + joint("base", "arm") + joint("amr", "hand")
+    assert {"URDF-E02", "URDF-W10"} <= {one.rule for one in told(text)}
+
+
 def test_a_root_without_mass_loses_the_whole_robot(told):
     (one,) = told(link("base") + link("arm", BODY) + joint("base", "arm"), "URDF-W10")
     assert "the whole robot is missing" in one.gazebo

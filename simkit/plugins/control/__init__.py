@@ -1,0 +1,7 @@
+"""ros_control in the simulation: the plugin that lets controllers move the joints of a robot.
+
+Read it in this order: `plugin` (what happens in a step), `transmission` (which joints, by which
+interface), `joint_drive` (how a command becomes a motion), `manager` (who loads, starts and stops
+controllers), `controller` (what one is); then `controllers` and `trajectory`. Without ROS are `angles`,
+`limits`, `pid`, and most of `trajectory`.
+"""

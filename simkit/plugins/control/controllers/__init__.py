@@ -1,0 +1,1 @@
+"""Controllers that have no plan: each does in every step what it was told last."""

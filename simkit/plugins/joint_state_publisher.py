@@ -1,0 +1,110 @@
+"""The plugin `libgazebo_ros_joint_state_publisher.so`: tells where joints of a model stand.
+
+Source: gazebo_ros_joint_state_publisher of ROS Melodic and Noetic.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import ClassVar
+
+from simkit.errors import near_names
+from simkit.msgs import message_class
+from simkit.physics import ModelJoint
+from simkit.plugins.errors import PluginError
+from simkit.plugins.joint_states import joint_state_message
+from simkit.plugins.naming import shown_namespace, topic_of
+from simkit.plugins.parameters import place, tag
+from simkit.plugins.plugin import Plugin
+from simkit.plugins.rate import UpdateRate
+from simkit.plugins.site import Site
+
+TOPIC = "joint_states"
+"""In the namespace of the robot."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JointStatePublisherParameters:
+    """What the tag says."""
+
+    joint_name: str = tag(
+        "jointName", "", "Names of joints, with commas between them.", required=True
+    )
+    update_rate: float = tag(
+        "updateRate", 100.0, "Messages a second; 0: one each step [Hz].", at_least=0.0
+    )
+
+
+class JointStatePublisher(Plugin[JointStatePublisherParameters]):
+    """Publishes positions and velocities of the joints that it is told, in that order.
+
+    Positions are counted on through whole turns. A joint that is not in the list is not in the message,
+    and has no transform then.
+
+    Args:
+        site: Where it works.
+        parameters: What its tag says.
+
+    Raises:
+        PluginError: The model has no joint of a name, or it does not move.
+    """
+
+    Parameters: ClassVar[type[JointStatePublisherParameters]] = JointStatePublisherParameters
+
+    def __init__(self, site: Site, parameters: JointStatePublisherParameters) -> None:
+        super().__init__(site, parameters)
+        self._topic = topic_of(site, "robotNamespace", TOPIC)
+        # Spaces go, as in Gazebo; ends of lines stay, and spoil a name.
+        names = parameters.joint_name.strip().replace(" ", "").split(",")
+        self._joints = [self._joint(name) for name in names]
+
+    @classmethod
+    def speaker(cls, site: Site) -> str:
+        """Name and namespace, as the original writes them."""
+        return f"GazeboRosJointStatePublisher Plugin (ns = {shown_namespace(site)})"
+
+    def on_attach(self) -> None:
+        """Advertise."""
+        site = self.site
+        for joint in self._joints:
+            site.node.info(f"GazeboRosJointStatePublisher is going to publish joint: {joint.name}")
+        self._publisher = site.node.advertise(self._topic, message_class("sensor_msgs/JointState"))
+        self._begin()
+
+    def after_step(self) -> None:
+        """Publish, if it is time."""
+        if self._rate.is_due(self.site.now_ns):
+            now = self.site.node.now()
+            self._publisher.publish(joint_state_message(self._joints, now, with_velocities=True))
+
+    def on_reset(self) -> None:
+        """Count its period anew."""
+        self._begin()
+
+    def on_detach(self) -> None:
+        """Withdraw."""
+        self._publisher.unregister()
+
+    def _begin(self) -> None:
+        self._rate = UpdateRate(self.parameters.update_rate, self.site.now_ns)
+
+    def _joint(self, name: str) -> ModelJoint:
+        known = self.site.model.joints
+        if name in known:
+            return known[name]
+        element = self.site.element.child("jointName") or self.site.element
+        raise PluginError(
+            f"{place(element, self.site)}: Joint {name.strip() or repr(name)} does not exist! {_remedy(name, known)}Joints "
+            f"of {self.site.model.name} that move: {', '.join(known) or 'none'}."
+        )
+
+
+def _remedy(name: str, known: Iterable[str]) -> str:
+    """What may be wrong with a name, and a space."""
+    if not name.strip():
+        return "There is a comma too many in the list. "
+    if name != name.strip():
+        return "Gazebo takes no line breaks or tabs in the list: write it in one line. "
+    near = near_names(name, known)
+    return f"Did you mean {near[0]}? " if near else ""

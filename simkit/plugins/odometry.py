@@ -1,0 +1,144 @@
+"""Odometry: how a robot moves, and the messages that say it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from simkit.msgs import Time, message_class
+from simkit.physics import Model
+from simkit.plugins.site import Site
+from simkit.tf.rotation import roll_pitch_yaw
+from simkit.urdf.kinematics import Placement
+
+UNKNOWN = 1e12
+"""Variance of what a robot on wheels does not measure."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Motion:
+    """Where a robot is, and how it moves."""
+
+    pose: Placement
+    """T_odom_base."""
+    linear: tuple[float, float]
+    """Velocity forward and to the left [m/s]."""
+    turning: float
+    """Angular velocity about the vertical [rad/s]."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Frames:
+    """Two frames of which the second hangs on the first."""
+
+    parent: str
+    """Where it is seen from; that of odometry is `odom`."""
+    child: str
+    """What moves."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Covariances:
+    """How sure odometry says that it is; 36 numbers each."""
+
+    pose: list[float]
+    """Of the pose."""
+    twist: list[float]
+    """Of the velocities."""
+
+
+class OdometryVoice:
+    """Says how a robot moves: on a topic, and on /tf.
+
+    Args:
+        site: Where the plugin works.
+        topic: Global name of a topic of `nav_msgs/Odometry`.
+        frames: What moves in what.
+        covariances: What is said of the errors.
+        on_tf: Whether it is said on /tf too.
+    """
+
+    def __init__(
+        self, site: Site, topic: str, *, frames: Frames, covariances: Covariances, on_tf: bool
+    ) -> None:
+        node = site.node
+        self._now = node.now
+        self._frames = frames
+        self._covariances = covariances
+        self._odometry = node.advertise(topic, message_class("nav_msgs/Odometry"))
+        self._tf = node.advertise("/tf", message_class("tf2_msgs/TFMessage")) if on_tf else None
+
+    def say(self, motion: Motion, *, has_height: bool = True) -> None:
+        """Publish.
+
+        Args:
+            motion: How it moves now.
+            has_height: Whether the message tells its height; /tf does at any rate.
+        """
+        stamp = self._now()
+        if self._tf is not None:
+            moved = transform_message(motion.pose, self._frames, stamp)
+            self._tf.publish(self._tf.message_class([moved]))
+        message = odometry_message(motion, self._frames, stamp)
+        message.pose.covariance = self._covariances.pose
+        message.twist.covariance = self._covariances.twist
+        if not has_height:
+            message.pose.pose.position.z = 0.0
+        self._odometry.publish(message)
+
+    def close(self) -> None:
+        """Withdraw from the topics."""
+        self._odometry.unregister()
+        if self._tf is not None:
+            self._tf.unregister()
+
+
+def world_motion(model: Model) -> Motion:
+    """How a model moves in truth, seen from the origin of the world.
+
+    Source:
+        gazebo_ros_diff_drive: the velocity is turned back by the yaw alone, whatever the tilt.
+    """
+    pose = model.pose
+    (vx, vy, _), (_, _, turning) = model.twist
+    yaw = roll_pitch_yaw(pose.rotation)[2]
+    cos, sin = math.cos(yaw), math.sin(yaw)
+    return Motion(pose=pose, linear=(cos * vx + sin * vy, cos * vy - sin * vx), turning=turning)
+
+
+def odometry_message(motion: Motion, frames: Frames, stamp: Time) -> Any:
+    """A `nav_msgs/Odometry` without covariances."""
+    message: Any = message_class("nav_msgs/Odometry")()
+    message.header.stamp = stamp
+    message.header.frame_id = frames.parent
+    message.child_frame_id = frames.child
+    position, q = message.pose.pose.position, message.pose.pose.orientation
+    position.x, position.y, position.z = motion.pose.translation
+    q.x, q.y, q.z, q.w = motion.pose.rotation
+    twist = message.twist.twist
+    twist.linear.x, twist.linear.y = motion.linear
+    twist.angular.z = motion.turning
+    return message
+
+
+def planar_covariance(x: float, y: float, yaw: float) -> list[float]:
+    """The 36 numbers of a covariance of which x, y [m^2] and yaw [rad^2] are known."""
+    return diagonal((x, y, UNKNOWN, UNKNOWN, UNKNOWN, yaw))
+
+
+def diagonal(variances: tuple[float, float, float, float, float, float]) -> list[float]:
+    """The 36 numbers of a covariance in which nothing goes with anything else."""
+    return [variances[i] if i == j else 0.0 for i in range(6) for j in range(6)]
+
+
+def transform_message(pose: Placement, frames: Frames, stamp: Time) -> Any:
+    """A `geometry_msgs/TransformStamped` of T_parent_child."""
+    message: Any = message_class("geometry_msgs/TransformStamped")()
+    message.header.stamp = stamp
+    message.header.frame_id = frames.parent
+    message.child_frame_id = frames.child
+    t, q = message.transform.translation, message.transform.rotation
+    t.x, t.y, t.z = pose.translation
+    q.x, q.y, q.z, q.w = pose.rotation
+    return message

@@ -1,0 +1,175 @@
+"""The plugin `libgazebo_ros_p3d.so`: tells where a link is in truth.
+
+Source: gazebo_ros_p3d of ROS Noetic.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from simkit.errors import near_names
+from simkit.msgs import message_class
+from simkit.plugins.errors import PluginError
+from simkit.plugins.naming import resolve_frame, tf_prefix, topic_of
+from simkit.plugins.noise import generator
+from simkit.plugins.odometry import diagonal
+from simkit.plugins.parameters import place, tag
+from simkit.plugins.plugin import Plugin
+from simkit.plugins.site import Site
+from simkit.plugins.tag_texts import read_triple, read_turn
+from simkit.tf.rotation import conjugate, multiply, rotate
+from simkit.tf.transform import Vector
+from simkit.urdf.kinematics import Placement
+
+WORLD_FRAMES = ("world", "/world", "map", "/map")
+"""Names that mean the world itself."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class P3dParameters:
+    """What the tag says."""
+
+    body_name: str = tag("bodyName", "", "Link to tell of.", required=True)
+    topic_name: str = tag("topicName", "", "Topic of the odometry.", required=True)
+    frame_name: str = tag(
+        "frameName", "world", "Where it is seen from: world, map, or a link of the model."
+    )
+    xyz_offset: str = tag("xyzOffset", "0 0 0", "Added to the position [m].")
+    rpy_offset: str = tag("rpyOffset", "0 0 0", "Turns the orientation: roll, pitch, yaw [rad].")
+    gaussian_noise: float = tag(
+        "gaussianNoise",
+        0.0,
+        "Standard deviation of noise on velocities [m/s, rad/s].",
+        at_least=0.0,
+    )
+    update_rate: float = tag(
+        "updateRate", 0.0, "Most messages a second; 0: one each step [Hz].", at_least=0.0
+    )
+    local_twist: bool = tag(
+        "localTwist", False, "Whether velocities are seen from the link, not from the world."
+    )
+
+
+class P3d(Plugin[P3dParameters]):
+    """Publishes where a link is and how it moves, while somebody listens.
+
+    Noise is on the velocities only. Names of a tag without `robotNamespace` are at the root, also in a
+    world file.
+
+    Args:
+        site: Where it works.
+        parameters: What its tag says.
+
+    Raises:
+        PluginError: The model has no such link, or the frame is neither the world nor a link.
+    """
+
+    Parameters: ClassVar[type[P3dParameters]] = P3dParameters
+
+    def __init__(self, site: Site, parameters: P3dParameters) -> None:
+        super().__init__(dataclasses.replace(site, namespace=site.namespace or ""), parameters)
+        self._topic = topic_of(self.site, "topicName", parameters.topic_name)
+        self._body = self._link("bodyName", parameters.body_name)
+        frame = parameters.frame_name
+        self._reference = None if frame in WORLD_FRAMES else self._link("frameName", frame)
+        self._offset = Placement(
+            read_triple(site, "xyzOffset", parameters.xyz_offset),
+            read_turn(site, "rpyOffset", parameters.rpy_offset),
+        )
+        self._last_ns = site.now_ns
+        self._covariance = diagonal((parameters.gaussian_noise**2,) * 6)
+        self._period_ns = round(1e9 / parameters.update_rate) if parameters.update_rate else 0
+
+    def on_attach(self) -> None:
+        """Advertise."""
+        site = self.site
+        self._frame = resolve_frame(self.parameters.frame_name, tf_prefix(site))
+        self._publisher = site.node.advertise(self._topic, message_class("nav_msgs/Odometry"))
+        self._begin()
+
+    def after_step(self) -> None:
+        """Publish, if it is time and somebody listens."""
+        now = self.site.now_ns
+        if now - self._last_ns >= self._period_ns and self._publisher.num_connections:
+            self._publisher.publish(self._message())
+            self._last_ns = now
+
+    def on_reset(self) -> None:
+        """Count its period anew, and draw the same noise again."""
+        self._begin()
+
+    def on_detach(self) -> None:
+        """Withdraw."""
+        self._publisher.unregister()
+
+    # -- private
+
+    def _begin(self) -> None:
+        self._last_ns = self.site.now_ns
+        self._random = generator(self.site.seed("p3d", self.site.name))
+
+    def _link(self, name: str, link: str) -> str:
+        known = self.site.model.links
+        if link in known:
+            return link
+        element = self.site.element.child(name) or self.site.element
+        near = near_names(link, known)
+        hint = f"; did you mean {near[0]}?" if near else ""
+        raise PluginError(
+            f"{place(element, self.site)}: gazebo_ros_p3d plugin error: {name}: {link} does not exist"
+            f"{hint} Links of {self.site.model.name}: {', '.join(known) or 'none'}."
+        )
+
+    def _message(self) -> Any:
+        message: Any = message_class("nav_msgs/Odometry")()
+        message.header.stamp = self.site.node.now()
+        message.header.frame_id = self._frame
+        message.child_frame_id = self._body
+        pose, linear, angular = self._seen()
+        position, q = message.pose.pose.position, message.pose.pose.orientation
+        position.x, position.y, position.z = pose.translation
+        q.x, q.y, q.z, q.w = pose.rotation
+        twist = message.twist.twist
+        twist.linear.x, twist.linear.y, twist.linear.z = self._noisy(linear)
+        twist.angular.x, twist.angular.y, twist.angular.z = self._noisy(angular)
+        message.pose.covariance = message.twist.covariance = self._covariance
+        return message
+
+    def _seen(self) -> tuple[Placement, Vector, Vector]:
+        """Pose and velocities, seen from the frame, with the offsets."""
+        model = self.site.model
+        pose, (linear, angular) = model.link_pose(self._body), model.link_twist(self._body)
+        back = conjugate(pose.rotation)
+        if self._reference is not None:
+            seen_from = model.link_pose(self._reference)
+            frame_linear, frame_angular = model.link_twist(self._reference)
+            pose = _seen_from(seen_from, pose)
+            # Into the frame it should be the other way round; Gazebo turns them so.
+            linear = rotate(seen_from.rotation, _minus(linear, frame_linear))
+            angular = rotate(seen_from.rotation, _minus(angular, frame_angular))
+        if self.parameters.local_twist:
+            linear, angular = rotate(back, linear), rotate(back, angular)
+        x, y, z = pose.translation
+        dx, dy, dz = self._offset.translation
+        rotation = multiply(self._offset.rotation, pose.rotation)
+        return Placement((x + dx, y + dy, z + dz), rotation), linear, angular
+
+    def _noisy(self, velocity: Vector) -> Vector:
+        scale = self.parameters.gaussian_noise
+        if scale == 0.0:
+            return velocity
+        x, y, z = (v + scale * float(self._random.standard_normal()) for v in velocity)
+        return (x, y, z)
+
+
+def _seen_from(frame: Placement, pose: Placement) -> Placement:
+    """A pose as Gazebo sees it from a frame: its rotations are the wrong way round, unless they commute."""
+    back = conjugate(frame.rotation)
+    position = rotate(back, _minus(pose.translation, frame.translation))
+    return Placement(position, multiply(pose.rotation, back))
+
+
+def _minus(one: Vector, other: Vector) -> Vector:
+    return (one[0] - other[0], one[1] - other[1], one[2] - other[2])

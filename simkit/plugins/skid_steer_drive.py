@@ -1,0 +1,154 @@
+"""The plugin `libgazebo_ros_skid_steer_drive.so`: four wheels with motors, two on a side.
+
+Source: gazebo_ros_skid_steer_drive of ROS Melodic and Noetic.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+from typing import ClassVar
+
+from simkit.plugins.naming import resolve_frame, shown_namespace, tf_prefix, topic_of
+from simkit.plugins.odometry import (
+    Covariances,
+    Frames,
+    OdometryVoice,
+    planar_covariance,
+    world_motion,
+)
+from simkit.plugins.parameters import tag
+from simkit.plugins.plugin import Plugin
+from simkit.plugins.rate import UpdateRate
+from simkit.plugins.site import Site
+from simkit.plugins.wheels import TwistEar, Wheel
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SkidSteerDriveParameters:
+    """What the tag says, in the order in which what is missing is reported."""
+
+    broadcast_tf: bool = tag("broadcastTF", False, "Whether the robot is on /tf.")
+    left_front_joint: str = tag("leftFrontJoint", "left_front_joint", "Joint of that wheel.")
+    right_front_joint: str = tag("rightFrontJoint", "right_front_joint", "Joint of that wheel.")
+    left_rear_joint: str = tag("leftRearJoint", "left_rear_joint", "Joint of that wheel.")
+    right_rear_joint: str = tag("rightRearJoint", "right_rear_joint", "Joint of that wheel.")
+    wheel_separation: float = tag(
+        "wheelSeparation", 0.4, "Distance between left and right wheels [m].", above=0.0
+    )
+    wheel_diameter: float = tag("wheelDiameter", 0.15, "Diameter of a wheel [m].", above=0.0)
+    torque: float = tag("torque", 5.0, "Largest torque of a motor [N m].", above=0.0)
+    command_topic: str = tag("commandTopic", "cmd_vel", "Topic of the commands.")
+    odometry_topic: str = tag("odometryTopic", "odom", "Topic of the odometry.")
+    odometry_frame: str = tag("odometryFrame", "odom", "Frame that odometry is measured in.")
+    robot_base_frame: str = tag("robotBaseFrame", "base_footprint", "Frame of the robot.")
+    update_rate: float = tag(
+        "updateRate", 100.0, "How often it reports and obeys; 0: each step [Hz].", at_least=0.0
+    )
+    covariance_x: float = tag("covariance_x", 1e-4, "Variance of x to tell [m^2].", at_least=0.0)
+    covariance_y: float = tag("covariance_y", 1e-4, "Variance of y to tell [m^2].", at_least=0.0)
+    covariance_yaw: float = tag(
+        "covariance_yaw", 1e-2, "Variance of yaw to tell [rad^2].", at_least=0.0
+    )
+
+
+class SkidSteerDrive(Plugin[SkidSteerDriveParameters]):
+    """Drives a robot as `cmd_vel` says, and reports where it is in truth.
+
+    To turn, the wheels of one side slip: how fast it turns depends on friction, and is not what is
+    commanded. Names of a tag without `robotNamespace` are at the root, also in a world file. Where the
+    original obeys the last command again after a reset, this one waits for the next.
+
+    Args:
+        site: Where it works.
+        parameters: What its tag says.
+
+    Raises:
+        PluginError: The model has no such joints, or there can be no such topics.
+    """
+
+    Parameters: ClassVar[type[SkidSteerDriveParameters]] = SkidSteerDriveParameters
+
+    def __init__(self, site: Site, parameters: SkidSteerDriveParameters) -> None:
+        super().__init__(_at_root(site), parameters)
+        given = parameters
+        self._command_topic = topic_of(self.site, "commandTopic", given.command_topic)
+        self._odometry_topic = topic_of(self.site, "odometryTopic", given.odometry_topic)
+        self._left = [
+            self._wheel("leftFrontJoint", given.left_front_joint),
+            self._wheel("leftRearJoint", given.left_rear_joint),
+        ]
+        self._right = [
+            self._wheel("rightFrontJoint", given.right_front_joint),
+            self._wheel("rightRearJoint", given.right_rear_joint),
+        ]
+
+    @classmethod
+    def speaker(cls, site: Site) -> str:
+        """Name and namespace, as the original writes them."""
+        return f"GazeboRosSkidSteerDrive Plugin (ns = {shown_namespace(_at_root(site))})"
+
+    def on_attach(self) -> None:
+        """Advertise, listen, and hold the wheels."""
+        site, given = self.site, self.parameters
+        site.node.info(f"Starting {self.speaker(site)}")
+        prefix = tf_prefix(site)
+        covariance = planar_covariance(given.covariance_x, given.covariance_y, given.covariance_yaw)
+        self._ear = TwistEar(site, self._command_topic)
+        self._odometry = OdometryVoice(
+            site,
+            self._odometry_topic,
+            frames=Frames(
+                parent=resolve_frame(given.odometry_frame, prefix),
+                child=resolve_frame(given.robot_base_frame, prefix),
+            ),
+            covariances=Covariances(pose=covariance, twist=covariance),
+            on_tf=given.broadcast_tf,
+        )
+        self._begin()
+
+    def after_step(self) -> None:
+        """If it is time, report and obey."""
+        if self._rate.is_due(self.site.now_ns):
+            self._odometry.say(world_motion(self.site.model), has_height=False)
+            self._drive(*self._ear.rim_speeds(self.parameters.wheel_separation))
+
+    def on_reset(self) -> None:
+        """Forget the command."""
+        self._ear.forget()
+        self._begin()
+
+    def on_detach(self) -> None:
+        """Be silent and deaf, and let the wheels roll."""
+        self._odometry.close()
+        self._ear.close()
+        for wheel in (*self._left, *self._right):
+            wheel.release()
+
+    # -- private
+
+    def _wheel(self, name: str, joint: str) -> Wheel:
+        given = self.parameters
+        return Wheel(
+            self.site,
+            name,
+            joint,
+            torque=given.torque,
+            diameter=given.wheel_diameter,
+            speaker=self.speaker(self.site),
+        )
+
+    def _begin(self) -> None:
+        self._rate = UpdateRate(self.parameters.update_rate, self.site.now_ns)
+        self._drive(0.0, 0.0)
+
+    def _drive(self, left: float, right: float) -> None:
+        for wheel in self._left:
+            wheel.drive(left)
+        for wheel in self._right:
+            wheel.drive(right)
+
+
+def _at_root(site: Site) -> Site:
+    """The site, with a namespace of its own only if its tag or who spawned it says one."""
+    return dataclasses.replace(site, namespace=site.namespace or "")
