@@ -59,6 +59,40 @@ def base_of(student: str) -> BaseTask:
     )
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CrateTask:
+    """The crate that one student puts into their world."""
+
+    size: tuple[float, float, float]
+    """Lengths along x, y, z [m]."""
+    mass: float
+    """[kg]."""
+    x: float
+    """How far ahead of the origin its middle stands [m]; it stands at y = 0."""
+
+    def __repr__(self) -> str:
+        x, y, z = self.size
+        return (
+            f"a crate of {x:g} m (along x) by {y:g} m (along y) by {z:g} m (along z), {self.mass:g} kg, "
+            f"that stands on the ground with its middle at x = {self.x:g} m, y = 0"
+        )
+
+
+def crate_of(student: str) -> CrateTask:
+    """The crate of a student in exercise S.2.
+
+    Args:
+        student: Their name; capital letters and blanks around it do not matter.
+    """
+    rng = _generator("S.2", student)
+    x, y, z = rng.sample((0.26, 0.3, 0.34, 0.38, 0.42, 0.46), 3)
+    return CrateTask(
+        size=(x, y, z),
+        mass=rng.choice((0.6, 0.8, 1.2, 1.4, 1.6)),
+        x=rng.randrange(12, 21) / 10,
+    )
+
+
 def name_of(submission: Submission, answer: str) -> str:
     """The name that a student gave as an answer.
 
