@@ -5,6 +5,7 @@ PYTHON ?= python3
 VENV   := .venv
 BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
+PEERS  := $(VENV)/.peers
 WORK   := work
 
 .PHONY: help lab grade test test-all lint build bench lock clean
@@ -48,12 +49,18 @@ build: $(READY)
 	$(BIN)/python docs/exercise_list.py
 	$(BIN)/python docs/robots/make_pages.py
 
-bench: $(READY)
+$(PEERS): $(READY) benchmarks/peers.lock
+	-$(BIN)/python -m pip install --quiet --only-binary :all: --require-hashes -r benchmarks/peers.lock
+	@touch $(PEERS)
+
+bench: $(READY) $(PEERS)
 	@for file in benchmarks/bench_*.py; do $(BIN)/python $$file || exit 1; done
 
 lock: $(READY)
 	$(BIN)/uv pip compile pyproject.toml --extra dev --universal --generate-hashes --no-emit-index-url \
 	  --no-emit-find-links --python-version 3.11 --quiet --custom-compile-command "make lock" -o requirements.lock
+	$(BIN)/uv pip compile benchmarks/peers.in -c requirements.lock --universal --generate-hashes --no-emit-index-url \
+	  --no-emit-find-links --python-version 3.11 --quiet --custom-compile-command "make lock" -o benchmarks/peers.lock
 
 clean:
 	rm -rf $(VENV) gradebook .mypy_cache .ruff_cache .hypothesis

@@ -47,6 +47,10 @@ class Recording:
         """The recorded topics, sorted."""
         return sorted(self._messages)
 
+    def types(self) -> dict[str, str]:
+        """Type of the messages of each topic, sorted by name."""
+        return {name: self._classes[name]._type for name in self.topics()}
+
     def stop(self) -> None:
         """Listen no more; what was heard stays."""
         for subscription in self._subscriptions:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import weakref
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from simkit.errors import SimkitError
-from simkit.msgs import Time
+from simkit.msgs import Message, Time
+from simkit.steering import while_it_lives
 from simkit.tf import Buffer, echo_text
 
 if TYPE_CHECKING:
-    from simkit.graph import Graph
+    from simkit.graph import Graph, Node
     from simkit.graph.process import ScriptNode
     from simkit.nodes.joint_state_publisher import JointStatePublisherGui
     from simkit.packages import PackagePath
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         FramesPicture,
         JointSliders,
         LiveRviz,
+        RvizEars,
         RvizReplay,
         RvizSettings,
         RvizView,
@@ -40,6 +41,8 @@ class Seeing:
     _views: list[Callable[[], None]]
     _closers: list[Callable[[], None]]
     _sliders: list[JointSliders]
+    _node: Node
+    _ears: RvizEars | None = None
 
     @property
     def now(self) -> Time:
@@ -48,6 +51,11 @@ class Seeing:
 
     def run(self, seconds: float) -> None:
         """Let virtual time pass [s]."""
+        raise NotImplementedError
+
+    def _message_classes(
+        self, topics: Iterable[str] | Mapping[str, str]
+    ) -> dict[str, type[Message]]:
         raise NotImplementedError
 
     def tf_echo(self, source: str, target: str, *, precision: int = 3) -> str:
@@ -64,6 +72,8 @@ class Seeing:
         self,
         fixed_frame: str = "world",
         *,
+        topics: Iterable[str] | Mapping[str, str] = (),
+        keep: int = 100,
         time: Time | None = None,
         robot_model: str | None = "visual",
         alpha: float = 1.0,
@@ -72,10 +82,15 @@ class Seeing:
         description: str = "/robot_description",
         live: bool = False,
     ) -> RvizView | LiveRviz:
-        """Frames and robot in 3D, to turn and zoom.
+        """Frames, robot and topics in 3D, to turn and zoom.
+
+        A topic is heard from the first view of it on; of what was said before, the last message is shown.
 
         Args:
             fixed_frame: Frame that stands still; the others are drawn in it.
+            topics: Topics to show, of sensor_msgs/LaserScan, nav_msgs/Odometry or nav_msgs/Path; names, or names with
+                types for topics that are still to come.
+            keep: So many arrows of odometry are kept.
             time: Moment to show; the latest if None.
             robot_model: Which shapes of the robot are seen at first: "visual", "collision", or None for no robot.
             alpha: Opacity of the robot, from 0 to 1.
@@ -83,8 +98,12 @@ class Seeing:
             show_grid: Whether the grid is seen at first.
             description: Parameter with the URDF of the robot.
             live: Whether the view follows the simulation, for which this process serves it on 127.0.0.1.
+
+        Raises:
+            UnknownNameError: A topic is not in use and no type is given.
+            SimkitError: No display shows messages of a topic's type.
         """
-        from simkit.viz import RvizSettings, RvizView
+        from simkit.viz import RvizSettings, RvizView, display_of
 
         settings = RvizSettings(
             fixed_frame=fixed_frame,
@@ -94,6 +113,10 @@ class Seeing:
             show_tf=show_tf,
             show_grid=show_grid,
             description=description,
+            topics=tuple(
+                display_of(name, cls._type, keep=keep)
+                for name, cls in self._message_classes(topics).items()
+            ),
         )
         if live:
             return self._live_rviz(settings)
@@ -107,20 +130,28 @@ class Seeing:
         robot_model: str | None = "visual",
         alpha: float = 1.0,
         description: str = "/robot_description",
+        keep: int = 100,
     ) -> RvizReplay:
         """What RViz showed during a recording, to be played again; `save("run.html")` keeps it.
 
+        Recorded laser scans, odometry and paths are shown as well.
+
         Args:
-            recording: Of /tf and /tf_static, as `sim.record(["/tf", "/tf_static"])` makes it.
+            recording: Of /tf and /tf_static, as `sim.record(["/tf", "/tf_static", "/scan"])` makes it.
             fixed_frame: Frame that stands still; the others are drawn in it.
             robot_model: Which shapes of the robot are seen at first: "visual", "collision", or None for no robot.
             alpha: Opacity of the robot, from 0 to 1.
             description: Parameter with the URDF of the robot.
+            keep: So many arrows of odometry are kept.
         """
-        from simkit.viz import RvizReplay, RvizSettings
+        from simkit.viz import RvizReplay, RvizSettings, displays_of
 
         settings = RvizSettings(
-            fixed_frame=fixed_frame, robot_model=robot_model, alpha=alpha, description=description
+            fixed_frame=fixed_frame,
+            robot_model=robot_model,
+            alpha=alpha,
+            description=description,
+            topics=displays_of(recording.types(), keep=keep),
         )
         robot = self._scene_source(settings).robot()
         return RvizReplay(recording, settings, robot=robot)
@@ -155,7 +186,7 @@ class Seeing:
         for known in self._sliders:
             if known.gui is gui:
                 return known
-        sliders = JointSliders(gui, run=_while_it_lives(self))
+        sliders = JointSliders(gui, run=while_it_lives(self))
         self._sliders.append(sliders)
         self._views.append(sliders.refresh)
         return sliders
@@ -215,10 +246,12 @@ class Seeing:
         return view
 
     def _scene_source(self, settings: RvizSettings, *, with_room: bool = False) -> SceneSource:
-        from simkit.viz import SceneSource
+        from simkit.viz import RvizEars, SceneSource
 
+        self._ears = self._ears or RvizEars(self._node, self.tf)
         return SceneSource(
             settings,
+            ears=self._ears,
             buffer=self.tf,
             parameters=self.graph.params,
             packages=self.packages,
@@ -246,16 +279,3 @@ class Seeing:
     def _refresh_views(self) -> None:
         for refresh in self._views:
             refresh()
-
-
-def _while_it_lives(sim: Seeing) -> Callable[[float], None]:
-    """Its `run`. Widgets are never forgotten by their notebook, but a simulation must be."""
-    living = weakref.ref(sim)
-
-    def run(seconds: float) -> None:
-        found = living()
-        if found is None:
-            raise SimkitError("this simulation is gone; the sliders of the newest one move it")
-        found.run(seconds)
-
-    return run

@@ -105,6 +105,18 @@ class Talking:
         Raises:
             UnknownNameError: A topic is not in use and no type is given.
         """
+        return Recording(self._node, self._message_classes(topics))
+
+    def _message_classes(
+        self, topics: Iterable[str] | Mapping[str, str]
+    ) -> dict[str, type[Message]]:
+        """Resolved names of topics with the classes of their messages.
+
+        Raises:
+            UnknownNameError: A topic is not in use and no type is given.
+        """
+        if isinstance(topics, str):
+            topics = [topics]
         given = dict(topics) if isinstance(topics, Mapping) else dict.fromkeys(topics)
         classes: dict[str, type[Message]] = {}
         for name, type_name in given.items():
@@ -116,7 +128,7 @@ class Talking:
                 classes[resolved] = entry.message_class
             else:
                 raise UnknownNameError("topic", resolved, self.topics())
-        return Recording(self._node, classes)
+        return classes
 
     # -- services
 

@@ -42,6 +42,10 @@ MAY_IMPORT = {
     "simkit.physics",
     "simkit.gazebo": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
     "simkit.urdf simkit.urdf.rules simkit.packages simkit.tools simkit.physics simkit.plugins",
+    "simkit.seeing_world": "simkit.errors simkit.gazebo simkit.graph simkit.recording simkit.running "
+    "simkit.seeing simkit.viz",
+    "simkit.plotting": "simkit.errors simkit.gazebo simkit.graph simkit.physics simkit.recording simkit.viz",
+    "simkit.steering": "simkit.errors simkit.graph simkit.msgs simkit.viz",
     "simkit.simulating": "simkit.errors simkit.graph simkit.gazebo simkit.packages simkit.physics "
     "simkit.running simkit.urdf",
     "simkit.launch": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
@@ -52,14 +56,16 @@ MAY_IMPORT = {
     "simkit.recording": "simkit.errors simkit.msgs simkit.graph",
     "simkit.running": "simkit.graph simkit.nodes simkit.packages",
     "simkit.seeing": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.nodes simkit.packages "
-    "simkit.nodes.joint_state_publisher simkit.recording simkit.running simkit.viz",
+    "simkit.nodes.joint_state_publisher simkit.recording simkit.running simkit.steering simkit.viz",
     "simkit.talking": "simkit.errors simkit.msgs simkit.graph simkit.recording",
     "simkit.simulation": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tf.listener "
     "simkit.nodes simkit.packages simkit.recording simkit.running simkit.seeing simkit.talking "
-    "simkit.launch simkit.launching simkit.simulating",
+    "simkit.launch simkit.launching simkit.plotting simkit.seeing_world simkit.simulating simkit.steering",
     # pictures of what is known; a simulation hands them out, lazily
     "simkit.viz": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tools simkit.nodes "
     "simkit.nodes.joint_state_publisher simkit.packages simkit.recording simkit.urdf",
+    "simkit.viz.world": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.packages simkit.physics "
+    "simkit.recording simkit.urdf simkit.urdf.rules simkit.viz simkit.xml",
     # on top: a simulation on the clock of the wall, and the command line
     "simkit.live": "simkit.errors simkit.launch simkit.msgs simkit.graph simkit.tf simkit.nodes "
     "simkit.launch simkit.nodes.joint_state_publisher simkit.packages simkit.recording "

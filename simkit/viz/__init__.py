@@ -4,19 +4,30 @@ Every picture is made once and does not change afterwards, but for those that ar
 shows itself in a notebook and is saved by `save("name.svg")`, or `.png`, or `.html`. What a picture
 shows (`scene`, `forest`, `transform_series`, `turtle_tape`) lies apart from how it is drawn:
 `drawing` is what both SVG and PNG are made of, and a `scene` is drawn by three.js in a browser
-(`rviz_page`) and by `scene_raster` without one.
+(`rviz_page`) and by `scene_raster` without one. Below it lie `topics` (displays of messages), `plots` (figures of
+recordings), `by_hand` (widgets that move robots).
 """
 
+from simkit.viz.by_hand.controlled_joints import controlled_joints
+from simkit.viz.by_hand.teleop_pad import TeleopPad
+from simkit.viz.by_hand.trajectory_sliders import TrajectorySliders
 from simkit.viz.frames_picture import FramesPicture
+from simkit.viz.gzclient_program import GzclientProgram
 from simkit.viz.joint_sliders import JointSliders
 from simkit.viz.live_rviz import LiveRviz
 from simkit.viz.live_view import LiveView
+from simkit.viz.plots.joint_plot import JointPlot
+from simkit.viz.plots.model_recording import ModelRecording
+from simkit.viz.plots.path_plot import PathPlot
+from simkit.viz.plots.tracking_plot import TrackingPlot
 from simkit.viz.robot_tree import RobotTree
 from simkit.viz.rviz_program import RvizProgram
 from simkit.viz.rviz_replay import RvizReplay
 from simkit.viz.rviz_settings import RvizSettings
 from simkit.viz.rviz_view import RvizView
 from simkit.viz.scene_source import SceneSource
+from simkit.viz.topics.displays import display_of, displays_of
+from simkit.viz.topics.ears import RvizEars
 from simkit.viz.transform_plot import TransformPlot
 from simkit.viz.transform_series import TransformSeries, transform_series
 from simkit.viz.turtle_replay import TurtleReplay
@@ -24,18 +35,29 @@ from simkit.viz.turtlesim_view import TurtlesimView
 
 __all__ = [
     "FramesPicture",
+    "GzclientProgram",
+    "JointPlot",
     "JointSliders",
     "LiveRviz",
     "LiveView",
+    "ModelRecording",
+    "PathPlot",
     "RobotTree",
+    "RvizEars",
     "RvizProgram",
     "RvizReplay",
     "RvizSettings",
     "RvizView",
     "SceneSource",
+    "TeleopPad",
+    "TrackingPlot",
+    "TrajectorySliders",
     "TransformPlot",
     "TransformSeries",
     "TurtleReplay",
     "TurtlesimView",
+    "controlled_joints",
+    "display_of",
+    "displays_of",
     "transform_series",
 ]

@@ -28,6 +28,7 @@ class Eye:
         rows: First row of computed pixels, and the one behind the last: a band of the picture.
 
     Attributes:
+        fineness: As above.
         solid: What is drawn so far and hides what is behind it.
         paint: Red, green, blue, each times the opacity, and the opacity; shape (height, width, 4).
     """
@@ -35,6 +36,7 @@ class Eye:
     def __init__(self, camera: Camera, size: Point, fineness: int, rows: tuple[int, int]) -> None:
         self._width, self._height = round(size[0] * fineness), rows[1] - rows[0]
         self._middle = (self._width / 2, round(size[1] * fineness) / 2 - rows[0])
+        self.fineness = fineness
         self._focal = focal_length(size) * fineness
         self._camera = camera
         self._basis, self._target = np.array(camera.basis), np.array(camera.target)
@@ -69,6 +71,37 @@ class Eye:
         points = np.array([(a, b, c), (b, d, c)])
         nearness = np.array([(near_start, near_end, near_start), (near_end, near_end, near_start)])
         layer.draw(points, nearness, np.broadcast_to(np.array(color), (2, 3, 3)))
+
+    def lines(self, layer: Layer, segments: Array, *, width: float, color: Color) -> None:
+        """Draw many lines of a width on paper [px] in one go.
+
+        Args:
+            layer: Where to draw.
+            segments: Start and end of each line [m]; shape (n, 2, 3).
+            width: Width of the lines [px].
+            color: Their colour.
+        """
+        seen = (segments - self._target) @ self._basis.T
+        seen[:, :, 2] = self._camera.distance - seen[:, :, 2]
+        seen = _before(seen, 1.0001 * NEAR * self._camera.distance)
+        ends = self._on_paper(seen)
+        along = ends[:, 1] - ends[:, 0]
+        lengths = np.hypot(along[:, 0], along[:, 1])
+        ys = ends[:, :, 1]
+        drawn = (
+            (lengths > 1e-9) & (ys.max(axis=1) > -width) & (ys.min(axis=1) < self._height + width)
+        )
+        seen, ends, along, lengths = seen[drawn], ends[drawn], along[drawn], lengths[drawn]
+        aside = width / 2 / lengths[:, None] * np.stack([-along[:, 1], along[:, 0]], axis=1)
+        (a, c), (b, d) = ((ends[:, end] + aside, ends[:, end] - aside) for end in (0, 1))
+        points = np.stack([np.stack([a, b, c], axis=1), np.stack([b, d, c], axis=1)], axis=1)
+        near_start, near_end = 1.0 / seen[:, 0, 2], 1.0 / seen[:, 1, 2]
+        nearness = np.stack(
+            [near_start, near_end, near_start, near_end, near_end, near_start], axis=1
+        )
+        count = 2 * len(seen)
+        colors = np.broadcast_to(np.array(color), (count, 3, 3))
+        layer.draw(points.reshape(count, 3, 2), nearness.reshape(count, 3), colors)
 
     def lay(self, layer: Layer, opacity: Array) -> None:
         """Lay a picture over what is painted; its opacity has the shape (height, width)."""
@@ -117,6 +150,17 @@ class Eye:
         scale = self._focal / seen[..., 2]
         x, y = self._middle[0] + seen[..., 0] * scale, self._middle[1] - seen[..., 1] * scale
         return np.stack([x, y], axis=-1)
+
+
+def _before(seen: Array, near: float) -> Array:
+    """Of lines as seen, shape (n, 2, 3), the parts that are not nearer than a depth [m]."""
+    seen = seen[(seen[:, :, 2] > near).any(axis=1)]
+    for end in (0, 1):
+        behind = seen[:, end, 2] < near
+        here, there = seen[behind, end], seen[behind, 1 - end]
+        ratio = (near - here[:, 2]) / (there[:, 2] - here[:, 2])
+        seen[behind, end] = here + ratio[:, None] * (there - here)
+    return seen
 
 
 def _lay(paint: Paint, colors: Paint, opacity: Array) -> None:

@@ -10,13 +10,13 @@ from typing import Any
 
 from simkit.errors import SimkitError
 from simkit.nodes.joint_state_publisher import JointStatePublisherGui, SliderJoint
+from simkit.viz.by_hand.notebook_widgets import ipywidgets_for
+from simkit.viz.by_hand.slider_place import is_drawn_there
 from simkit.viz.kernel_loop import KernelLoop, Later
 from simkit.viz.live_view import running_notebook
 
 STEPS = 1000
 """Places of a slider for mouse and arrow keys; a number that is typed beside it counts exactly."""
-_ROUNDING = 1e-6
-"""So far from a place of a slider its number may be [share of a step]."""
 _SETTLED = 0.1
 """So long after the last move the other views are drawn once more [s of wall-clock time]."""
 
@@ -72,7 +72,7 @@ class JointSliders:
             SimkitError: ipywidgets is not installed.
         """
         if self._box is None:
-            self._box = self._build(_ipywidgets())
+            self._box = self._build(ipywidgets_for("the sliders"))
         return self._box
 
     def refresh(self) -> None:
@@ -188,17 +188,8 @@ class JointSliders:
         self._do(lambda: self._gui.set_position(name, value))
 
     def _is_of_this_view(self, name: str, value: float) -> bool:
-        """Whether the slider stands where this view has put it, or on the place of the slider nearest to that.
-
-        A browser that draws a slider puts it on a place of its own and reports that as a move: to look at a
-        robot would move it.
-        """
         slider, shown = self._sliders[name], self._shown.get(name)
-        if shown is None or value == shown:
-            return value == shown
-        places = (value - slider.min) / slider.step
-        is_a_place = abs(places - round(places)) < _ROUNDING
-        return is_a_place and abs(value - shown) <= (0.5 + _ROUNDING) * float(slider.step)
+        return shown is not None and is_drawn_there(value, shown, low=slider.min, step=slider.step)
 
     def _do(self, act: Callable[[], None]) -> None:
         self._say("")
@@ -229,14 +220,6 @@ class JointSliders:
             self._run(seconds)
         except SimkitError as error:
             self._say(str(error))
-
-
-def _ipywidgets() -> Any:
-    try:
-        import ipywidgets
-    except ImportError as error:
-        raise SimkitError("the sliders need ipywidgets: pip install ipywidgets") from error
-    return ipywidgets
 
 
 def _readout(joint: SliderJoint) -> str:

@@ -6,12 +6,10 @@ import weakref
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from simkit.viz.live_news import LiveNews
+from simkit.viz.live_news import LiveNews, NewsSource
 from simkit.viz.page import inline_frame
-from simkit.viz.rviz_page import TITLE, page_height, view_page
-from simkit.viz.rviz_settings import RvizSettings
+from simkit.viz.rviz_page import page_height, view_page
 from simkit.viz.scene_data import scene_data
-from simkit.viz.scene_source import SceneSource
 
 if TYPE_CHECKING:
     from simkit.viz.live_server import LiveServer
@@ -38,10 +36,10 @@ class LiveRviz:
         SimkitError: There is no port for the server.
     """
 
-    def __init__(self, source: SceneSource, *, is_over: Callable[[], bool] = lambda: False) -> None:
+    def __init__(self, source: NewsSource, *, is_over: Callable[[], bool] = lambda: False) -> None:
         from simkit.viz.live_server import LiveServer
 
-        self.settings: RvizSettings = source.settings
+        self.settings: object = source.settings
         self._source = source
         self._is_over = is_over
         self._news = LiveNews(source)
@@ -87,9 +85,9 @@ class LiveRviz:
 
     def __repr__(self) -> str:
         if not self.alive:
-            return "LiveRviz(ended)"
-        return f"LiveRviz({self.url})"
+            return f"{type(self).__name__}(ended)"
+        return f"{type(self).__name__}({self.url})"
 
     def _repr_html_(self) -> str:
         height = page_height(self._news.scene) + _STATUS_HEIGHT
-        return inline_frame(self.to_html(), title=TITLE, height=height)
+        return inline_frame(self.to_html(), title=self._news.scene.window.title, height=height)

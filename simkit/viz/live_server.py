@@ -20,6 +20,7 @@ from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 from simkit.errors import SimkitError
 from simkit.viz.live_news import State, message
+from simkit.viz.marks import Marks
 
 PAUSE: Final = 1 / 30
 """At most so often is a viewer told something [s of wall-clock time]."""
@@ -164,6 +165,7 @@ class _Viewer(WebSocketHandler):
         self._server = server
         self._number = -1
         self._poses: Mapping[int, tuple[float, ...]] = {}
+        self._marks: tuple[Marks, ...] = ()
         self._sending: asyncio.Task[None] | None = None
 
     def check_origin(self, origin: str) -> bool:
@@ -190,9 +192,10 @@ class _Viewer(WebSocketHandler):
         """Send what is new; False if the last news have not left yet."""
         if self._sending is not None and not self._sending.done():
             return False
-        text = message(state, self._number, self._poses)
+        text = message(state, self._number, self._poses, self._marks)
         if text is not None:
             self._number, self._poses = state.number, dict(enumerate(state.poses))
+            self._marks = state.marks
             self._sending = asyncio.ensure_future(self._send(text))
         return True
 

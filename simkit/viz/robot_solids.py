@@ -68,14 +68,24 @@ def robot_shapes(robot: Robot, *, alpha: float = 1.0) -> RobotShapes:
 
 def _solids_of(link: Link, notes: list[str]) -> Iterator[Solid]:
     for visual in link.visuals:
-        yield from _solid(link, visual, *_paint(visual.material), notes)
+        color, alpha = painted(visual.material) or (UNPAINTED, 1.0)
+        yield from part_solid(link.name, visual, color, alpha, notes)
     for collision in link.collisions:
-        yield from _solid(link, collision, TOUCHED, TOUCHED_ALPHA, notes)
+        yield from part_solid(link.name, collision, TOUCHED, TOUCHED_ALPHA, notes)
 
 
-def _solid(
-    link: Link, part: Visual | Collision, color: Color, alpha: float, notes: list[str]
+def part_solid(
+    link: str, part: Visual | Collision, color: Color, alpha: float, notes: list[str]
 ) -> Iterator[Solid]:
+    """One shape of a link; none if it is too large or too far away.
+
+    Args:
+        link: The link.
+        part: The shape.
+        color: Its colour.
+        alpha: Its opacity, from 0 to 1.
+        notes: Gets a sentence if it is not drawn as it is written.
+    """
     shape = _shape(link, part.geometry, notes)
     if isinstance(part.geometry, Mesh) and isinstance(shape, Box):
         color, alpha = MISSING, min(alpha, 0.6)
@@ -83,11 +93,11 @@ def _solid(
     _, half = half_extents(shape)
     if not max(map(abs, (*translation, *half))) < _FAR or not all(map(math.isfinite, rotation)):
         notes.append(
-            f"A shape of [{shortened(link.name, 44)}] is too large or too far away to be drawn."
+            f"A shape of [{shortened(link, 44)}] is too large or too far away to be drawn."
         )
         return
     yield Solid(
-        link=link.name,
+        link=link,
         role=Role.VISUAL if isinstance(part, Visual) else Role.COLLISION,
         shape=shape,
         translation=translation,
@@ -97,14 +107,15 @@ def _solid(
     )
 
 
-def _paint(material: Material | None) -> tuple[Color, float]:
+def painted(material: Material | None) -> tuple[Color, float] | None:
+    """Colour and opacity of a material of URDF; None if it says nothing."""
     if material is None or material.rgba is None:
-        return UNPAINTED, 1.0
+        return None
     red, green, blue, alpha = (min(max(value, 0.0), 1.0) for value in material.rgba)
     return (red, green, blue), alpha
 
 
-def _shape(link: Link, geometry: Geometry, notes: list[str]) -> SolidShape:
+def _shape(link: str, geometry: Geometry, notes: list[str]) -> SolidShape:
     if not isinstance(geometry, Mesh):
         return geometry
     try:
@@ -114,6 +125,6 @@ def _shape(link: Link, geometry: Geometry, notes: list[str]) -> SolidShape:
     except MeshError as error:
         notes.append(
             f"A box of {_MISSING_SIZE:g} m stands for the mesh {shortened(geometry.filename, 80)} "
-            f"of [{shortened(link.name, 44)}]: {error}."
+            f"of [{shortened(link, 44)}]: {error}."
         )
     return Box((_MISSING_SIZE,) * 3)

@@ -12,9 +12,12 @@ from typing import Any
 from simkit.errors import SimkitError
 from simkit.viz.robot_description import DESCRIPTION
 from simkit.viz.rviz_settings import RvizSettings
+from simkit.viz.topics.config import topic_displays
 
 _LONGEST = 1_000_000
 "Longest file [bytes]; those of RViz have some ten thousand."
+_DEEPEST = 10
+"So many groups may be in each other."
 
 
 def read_config(path: str | Path) -> RvizSettings:
@@ -47,7 +50,8 @@ def read_config(path: str | Path) -> RvizSettings:
 
 
 def _settings(manager: Mapping[Any, Any]) -> RvizSettings:
-    displays = {str(display.get("Class")): display for display in _displays(manager)}
+    listed = list(_displays(manager))
+    displays = {str(display.get("Class")): display for display in listed}
     robot = displays.get("rviz/RobotModel", {})
     role = "visual" if robot.get("Visual Enabled", True) is not False else None
     if role is None and robot.get("Collision Enabled") is True:
@@ -60,15 +64,20 @@ def _settings(manager: Mapping[Any, Any]) -> RvizSettings:
         show_tf="rviz/TF" in displays,
         show_grid="rviz/Grid" in displays,
         description=f"/{description.lstrip('/')}",
+        topics=topic_displays(listed),
     )
 
 
-def _displays(manager: Mapping[Any, Any]) -> Iterator[Mapping[Any, Any]]:
-    """Those that are on."""
-    listed = manager.get("Displays")
+def _displays(group: Mapping[Any, Any], depth: int = 0) -> Iterator[Mapping[Any, Any]]:
+    """Those that are on, also in groups."""
+    listed = group.get("Displays")
     for display in listed if isinstance(listed, list) else ():
-        if isinstance(display, dict) and display.get("Enabled", True) is not False:
+        if not isinstance(display, dict) or display.get("Enabled", True) is False:
+            continue
+        if display.get("Class") != "rviz/Group":
             yield display
+        elif depth < _DEEPEST:
+            yield from _displays(display, depth + 1)
 
 
 def _part(data: object, name: str) -> Mapping[Any, Any]:

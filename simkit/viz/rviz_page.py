@@ -18,9 +18,16 @@ from simkit.viz.solid import Role
 from simkit.viz.tf_scene import FramePose
 
 TITLE: Final = "RViz"
-SCRIPTS: Final = ("rviz_camera", "rviz_names", "rviz_scene", "rviz_words", "rviz")
+SCRIPTS: Final = ("rviz_camera", "rviz_names", "rviz_marks", "rviz_scene", "rviz_words", "rviz")
 """The scripts of every view, in their order."""
 _STILL_SIZE: Final[Point] = (720.0, 450.0)
+_ROLE_WORDS: Final = {
+    Role.COLLISION: "Collision",
+    Role.CENTRE: "Centre of mass",
+    Role.INERTIA: "Inertia",
+    Role.JOINT: "Joints",
+    Role.GROUND: "Ground",
+}
 _CREDITS = (
     "<!-- The script below holds three.js (three.js authors), MeshCat (R. Deits), dat.GUI (Google) and others, "
     "under the MIT, BSD and Apache licenses; see the package meshcat. -->"
@@ -50,7 +57,7 @@ def view_page(
         connects_to: The one address that it may talk to; none if empty.
     """
     return html_page(
-        title=TITLE,
+        title=scene.window.title,
         name="rviz",
         body="\n".join([*_view(scene), *controls, *_words(scene), _CREDITS, _library()]),
         data=data,
@@ -66,8 +73,6 @@ def page_height(scene: Scene) -> int:
 
 
 def _view(scene: Scene) -> list[str]:
-    shown = scene.displays
-    roles = {placed.solid.role for placed in scene.solids}
     return [
         '<div id="scene" tabindex="0" role="img" aria-describedby="numbers" '
         f'aria-label="{escaped(summary(scene))} {HELP}">',
@@ -79,21 +84,37 @@ def _view(scene: Scene) -> list[str]:
         "<noscript><p>Without JavaScript the picture stands still and has no names.</p></noscript>",
         '<div class="row">',
         '<button id="reset">Reset view</button> <button id="top">From above</button>',
-        _box("grid", "Grid", on=shown.grid),
-        _box("tf", "TF", on=shown.tf),
-        _box("names", "Names", on=True),
-        _box("visual", "Robot", on=shown.robot is Role.VISUAL, hidden=Role.VISUAL not in roles),
-        _box(
-            "collision",
-            "Collision",
-            on=shown.robot is Role.COLLISION,
-            hidden=Role.COLLISION not in roles,
-        ),
-        f'<span>Fixed Frame: <b id="fixed">{_short(scene.tf.fixed_frame)}</b></span>',
+        *_boxes(scene),
+        f'<span>{scene.window.fixed}: <b id="fixed">{_short(scene.tf.fixed_frame)}</b></span>',
         '<span><b class="x">x</b> <b class="y">y</b> <b class="z">z</b></span>',
         f'<span class="quiet" title="{HELP}">drag to turn, shift-drag to move, + and - to zoom</span>',
         "</div>",
     ]
+
+
+def _boxes(scene: Scene) -> list[str]:
+    """A checkbox for each display."""
+    shown, roles = scene.displays, {placed.solid.role for placed in scene.solids}
+    words = {Role.VISUAL: scene.window.bodies, **_ROLE_WORDS}
+    return [
+        _box("grid", "Grid", on=shown.grid),
+        _box("tf", scene.window.frames, on=shown.tf),
+        _box("names", "Names", on=True),
+        *(
+            _box(role.value, words[role], on=shown.shows(role), hidden=role not in roles)
+            for role in Role
+        ),
+        *(
+            []
+            if shown.transparent is None
+            else [_box("clear", "Transparent", on=shown.transparent)]
+        ),
+        *(_box(f"marks-{one.name}", escaped(one.label), on=one.is_on) for one in scene.marks),
+    ]
+
+
+def _clear_box(is_clear: bool | None) -> list[str]:
+    return [] if is_clear is None else [_box("clear", "Transparent", on=is_clear)]
 
 
 def _box(name: str, words: str, *, on: bool, hidden: bool = False) -> str:

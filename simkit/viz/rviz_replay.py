@@ -13,6 +13,7 @@ from simkit.viz.rviz_settings import RvizSettings
 from simkit.viz.rviz_tape import RvizTape, rviz_tape
 from simkit.viz.scene_data import scene_data
 from simkit.viz.tape_controls import tape_controls
+from simkit.viz.topics.topic_tape import track_data
 from simkit.viz.transform_series import RecordedTopics
 
 _CONTROLS_HEIGHT: Final = 45
@@ -25,7 +26,7 @@ class RvizReplay:
     a server nor a network: it also works in a file and in a saved notebook.
 
     Args:
-        recording: Of /tf, and of /tf_static if there are static transforms.
+        recording: Of /tf, of /tf_static if there are static transforms, and of the topics that are shown.
         settings: What is to be seen; the usual if None.
         robot: The robot; None if there is none.
 
@@ -74,6 +75,7 @@ class RvizReplay:
 def _data(tape: RvizTape) -> dict[str, object]:
     return {
         "duration": tape.duration,
+        "topics": [track_data(track) for track in tape.topics],
         "tracks": [
             [[round(row[0], 3), *(round(value, 5) for value in row[1:])] for row in track]
             for track in tape.tracks

@@ -10,8 +10,9 @@ from simkit.tf import LATEST
 from simkit.viz.robot_description import DESCRIPTION
 from simkit.viz.scene import Displays
 from simkit.viz.solid import Role
+from simkit.viz.topics.displays import TopicDisplay
 
-_ROLES = {role.value: role for role in Role}
+_ROLES = {role.value: role for role in (Role.VISUAL, Role.COLLISION)}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -37,6 +38,8 @@ class RvizSettings:
     """Whether the grid is seen at first."""
     description: str = DESCRIPTION
     """Parameter with the URDF of the robot."""
+    topics: tuple[TopicDisplay, ...] = ()
+    """The displays of topics."""
     complaint: str = ""
     """A sentence on what is wrong with the settings themselves; empty if nothing is."""
 

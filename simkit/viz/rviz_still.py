@@ -47,7 +47,7 @@ def still_drawing(scene: Scene) -> Drawing:
     ]
     names = _names(scene) if scene.displays.tf else ()
     return Drawing(
-        title=f"RViz: {summary(scene)}",
+        title=f"{scene.window.title}: {summary(scene)}",
         description=" ".join([summary(scene), *scene.problems, *scene.notes]),
         size=(SIZE[0], SIZE[1] + (_ROW * len(rows) + 10 if rows else 0)),
         background=SKY,
@@ -56,7 +56,7 @@ def still_drawing(scene: Scene) -> Drawing:
 
 
 def _corners(scene: Scene) -> Iterator[Text]:
-    fixed = f"Fixed Frame: {shortened(scene.tf.fixed_frame, LONGEST)}"
+    fixed = scene.headline or f"Fixed Frame: {shortened(scene.tf.fixed_frame, LONGEST)}"
     yield Text(place=(14, 24), text=fixed, color=_GREY, size=12, halo=SKY)
     if scene.displays.grid:
         note = grid_note(scene.stage)

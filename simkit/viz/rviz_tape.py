@@ -8,16 +8,19 @@ from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from simkit.tf import Buffer
+from simkit.tf.transform import Vector
 from simkit.viz.robot_solids import RobotShapes
 from simkit.viz.rviz_settings import RvizSettings
 from simkit.viz.scene import Scene, corners, make_scene
 from simkit.viz.stage import AXIS_SHARE, AXIS_SHARE_OF_ROBOT, stage_for
 from simkit.viz.tf_scene import FramePose, tf_scene
 from simkit.viz.thinning import Row, thinned
+from simkit.viz.topics.topic_tape import TopicTape, TopicTrack
 from simkit.viz.transform_series import RecordedTopics
 
 STEP_NS: Final = 33_000_000
 """The view is looked at no oftener than this [ns]."""
+_TF: Final = ("/tf_static", "/tf")
 _PAUSE_NS = 4 * STEP_NS
 "After a silence of this length a frame has jumped, and did not move slowly."
 _MOMENTS = 50
@@ -38,6 +41,8 @@ class RvizTape:
     """The end, with a grid and a camera for the whole."""
     tracks: tuple[tuple[Row, ...], ...]
     """For each frame of the scene: time [s], x, y, z [m], quaternion xyzw; straight in between."""
+    topics: tuple[TopicTrack, ...] = ()
+    """For each display of a topic, what it showed."""
 
 
 def rviz_tape(
@@ -51,46 +56,58 @@ def rviz_tape(
         robot: The robot; None if there is none.
     """
     buffer = Buffer()
+    topics = TopicTape(settings.topics, buffer=buffer, fixed_frame=settings.fixed_frame)
     seen: dict[str, list[Row]] = {}
     start_ns = end_ns = 0
-    for time_ns in _played(recording, buffer):
+    for time_ns in _played(recording, buffer, topics):
         start_ns = start_ns or time_ns
         end_ns = time_ns
         for pose in tf_scene(buffer, fixed_frame=settings.fixed_frame).poses:
             _add(seen.setdefault(pose.name, []), (time_ns - start_ns) / 1e9, pose)
+        topics.look((time_ns - start_ns) / 1e9)
+    tracks = topics.tracks()
     scene = make_scene(
-        buffer, fixed_frame=settings.fixed_frame, robot=robot, displays=settings.displays
+        buffer,
+        fixed_frame=settings.fixed_frame,
+        robot=robot,
+        displays=settings.displays,
+        marks=[track.marks for track in tracks],
+        troubles=topics.troubles(),
     )
-    scene = _with_room(scene, seen)
+    scene = _with_room(scene, seen, tracks)
     tolerances = (*[_SHARE * scene.stage.camera.distance] * 3, *[_TURN] * 4)
     return RvizTape(
         start_ns=start_ns,
         duration=(end_ns - start_ns) / 1e9,
         scene=scene,
         tracks=tuple(tuple(thinned(seen[pose.name], tolerances)) for pose in scene.tf.poses),
+        topics=tracks,
     )
 
 
-def _played(recording: RecordedTopics, buffer: Buffer) -> Iterator[int]:
+def _played(recording: RecordedTopics, buffer: Buffer, topics: TopicTape) -> Iterator[int]:
     """Fill a buffer message by message; gives the times [ns] at which to look at it."""
-    messages = list(_messages(recording))
+    messages = _messages(recording, topics.topics)
     looked = -STEP_NS
     following = [*(time_ns for time_ns, _, _ in messages[1:]), -1]
-    for (time_ns, message, static), next_ns in zip(messages, following, strict=False):
-        store = buffer.set_transform_static if static else buffer.set_transform
-        transforms: Iterable[Any] = message.transforms
-        for transform in transforms:
-            store(transform, "recording")
+    for (time_ns, topic, message), next_ns in zip(messages, following, strict=False):
+        if topic in _TF:
+            store = buffer.set_transform_static if topic == _TF[0] else buffer.set_transform
+            transforms: Iterable[Any] = message.transforms
+            for transform in transforms:
+                store(transform, "recording")
+        else:
+            topics.hear(topic, message)
         if next_ns < 0 or (next_ns != time_ns and time_ns - looked >= STEP_NS):
             looked = time_ns
             yield time_ns
 
 
-def _messages(recording: RecordedTopics) -> list[tuple[int, Any, bool]]:
+def _messages(recording: RecordedTopics, more: Iterable[str]) -> list[tuple[int, str, Any]]:
     topics = recording.topics()
     found = [
-        (time.to_nsec(), message, static)
-        for topic, static in (("/tf_static", True), ("/tf", False))
+        (time.to_nsec(), topic, message)
+        for topic in (*_TF, *more)
         if topic in topics
         for time, message in recording[topic]
     ]
@@ -108,15 +125,28 @@ def _add(rows: list[Row], time: float, pose: FramePose) -> None:
     rows.append((time, *pose.origin, *rotation))
 
 
-def _with_room(scene: Scene, seen: Mapping[str, Sequence[Row]]) -> Scene:
+def _with_room(
+    scene: Scene, seen: Mapping[str, Sequence[Row]], tracks: Sequence[TopicTrack]
+) -> Scene:
     """The scene with a stage for everything that ever was in it."""
     moments = {pose.name: list(_moments(pose, seen[pose.name])) for pose in scene.tf.poses}
     points = [moment.origin for poses in moments.values() for moment in poses]
     for placed in scene.solids:
         for moment in moments[placed.frame.name] if placed.frame is not None else (None,):
             points += corners(placed.solid, moment)
+    for track in tracks:
+        points += _outline(track)
     share = AXIS_SHARE_OF_ROBOT if scene.solids else AXIS_SHARE
     return replace(scene, stage=stage_for(scene.tf, points, axis_share=share))
+
+
+def _outline(track: TopicTrack) -> Iterator[Vector]:
+    """The corners of the box around everything that a display ever showed."""
+    shown = (one for _, one in track.moments)
+    points = [point for one in shown for line in (one.points, *one.lines) for point in line]
+    for bound in (min, max) if points else ():
+        x, y, z = (bound(values) for values in zip(*points, strict=True))
+        yield x, y, z
 
 
 def _moments(pose: FramePose, rows: Sequence[Row]) -> Iterator[FramePose]:

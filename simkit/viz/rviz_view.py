@@ -6,7 +6,7 @@ from pathlib import Path
 
 from simkit.errors import UnknownNameError
 from simkit.viz.page import inline_frame
-from simkit.viz.rviz_page import TITLE, page_height, rviz_page
+from simkit.viz.rviz_page import page_height, rviz_page
 from simkit.viz.scene import Scene
 from simkit.viz.scene_data import summary
 
@@ -73,4 +73,6 @@ class RvizView:
         return f"RvizView({summary(self.scene)!r})"
 
     def _repr_html_(self) -> str:
-        return inline_frame(self.to_html(), title=TITLE, height=page_height(self.scene))
+        return inline_frame(
+            self.to_html(), title=self.scene.window.title, height=page_height(self.scene)
+        )

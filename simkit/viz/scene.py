@@ -9,6 +9,7 @@ from simkit.msgs import Time
 from simkit.tf import LATEST, Buffer
 from simkit.tf.rotation import multiply, rotate
 from simkit.tf.transform import IDENTITY, Quaternion, Vector
+from simkit.viz.marks import Marks
 from simkit.viz.robot_solids import RobotShapes
 from simkit.viz.scene_style import LOST_ALPHA, LOST_COLOR, rgb
 from simkit.viz.solid import Color, Role, Solid, half_extents
@@ -31,6 +32,34 @@ class Displays:
     """Axes, names and parents of the frames."""
     robot: Role | None = Role.VISUAL
     """Which shapes of the robot; None for none."""
+    also: tuple[Role, ...] = ()
+    """Which shapes besides."""
+    transparent: bool | None = None
+    """Whether one sees through what is seen of the links; None if a person cannot choose."""
+
+    def shows(self, role: Role) -> bool:
+        """Whether shapes of a role are seen at first."""
+        return role is self.robot or role in self.also
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Window:
+    """What a view says of itself."""
+
+    title: str
+    """The program whose window it is."""
+    command: str
+    """What opens it again."""
+    bodies: str
+    """What the shapes are that are seen."""
+    fixed: str
+    """What the frame is called in which everything is drawn."""
+    frames: str
+    """What the axes are."""
+
+
+RVIZ = Window(title="RViz", command="sim.rviz()", bodies="Robot", fixed="Fixed Frame", frames="TF")
+"""The window of rviz."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,6 +104,12 @@ class Scene:
     """What is shown at first."""
     stage: Stage
     """Grid and camera."""
+    marks: tuple[Marks, ...] = ()
+    """Points and lines that are others at each moment; always the same displays, in the same order."""
+    window: Window = RVIZ
+    """What the view says of itself."""
+    headline: str = ""
+    """One sentence on what is to be seen; how many frames there are if empty."""
 
 
 def make_scene(
@@ -86,6 +121,8 @@ def make_scene(
     displays: Displays | None = None,
     room: Sequence[Vector] = (),
     complaint: str = "",
+    marks: Sequence[Marks] = (),
+    troubles: Sequence[str] = (),
 ) -> Scene:
     """What RViz would show.
 
@@ -97,8 +134,10 @@ def make_scene(
         displays: What is shown at first; everything that is seen if None.
         room: Points that the robot may get to, in the frame of its root [m]; the camera sees them too.
         complaint: A problem to be told first; empty if there is none.
+        marks: What the displays of topics draw.
+        troubles: A sentence for each of these that cannot.
     """
-    frames = tf_scene(buffer, fixed_frame=fixed_frame, time=time)
+    frames = tf_scene(buffer, fixed_frame=fixed_frame, time=time, troubles=troubles)
     robot, displays = robot or RobotShapes(), displays or Displays()
     shapes = robot.solids if displays.robot is not None else ()
     poses = {pose.name: pose for pose in frames.poses}
@@ -112,9 +151,10 @@ def make_scene(
         problems=tuple(problems),
         notes=tuple(notes),
         displays=displays,
+        marks=tuple(marks),
         stage=stage_for(
             frames,
-            [*_outline(solids), *_room(room, robot, poses)],
+            [*_outline(solids), *_room(room, robot, poses), *_marked(marks)],
             axis_share=AXIS_SHARE_OF_ROBOT if solids else AXIS_SHARE,
         ),
     )
@@ -151,6 +191,13 @@ def _room(
     frame = poses.get(robot.model.root) if robot.model is not None else None
     for point in room:
         yield placed_in(frame, point, IDENTITY)[0]
+
+
+def _marked(marks: Iterable[Marks]) -> Iterator[Vector]:
+    for drawing in marks:
+        yield from drawing.points
+        for line in drawing.lines:
+            yield from line
 
 
 def corners(solid: Solid, frame: FramePose | None) -> Iterator[Vector]:

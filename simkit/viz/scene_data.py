@@ -11,6 +11,7 @@ from simkit.urdf import Box, Cylinder, Sphere
 from simkit.viz import scene_style as style
 from simkit.viz.camera import FIELD_OF_VIEW
 from simkit.viz.letters import shortened
+from simkit.viz.marks import LINE_WIDTH, POINT_SIZE, marks_data
 from simkit.viz.scene import LONGEST, PlacedSolid, Scene
 from simkit.viz.solid import TriangleMesh
 from simkit.viz.stage import Stage
@@ -29,6 +30,8 @@ def summary(scene: Scene) -> str:
     """One sentence on what is to be seen."""
     if scene.tf.error:
         return scene.tf.error
+    if scene.headline:
+        return f"{scene.headline}."
     count = len(scene.tf.poses)
     fixed = shortened(scene.tf.fixed_frame, LONGEST)
     return f"{count} frame{'s' * (count != 1)} seen from {fixed}."
@@ -52,6 +55,7 @@ def scene_data(scene: Scene) -> Mapping[str, Any]:
         "notes": scene.notes,
         "scale": grid_note(scene.stage),
         "help": HELP,
+        "command": scene.window.command,
         "mostNames": MOST_NAMES,
         "style": _STYLE,
         "stage": _stage(scene.stage),
@@ -61,6 +65,7 @@ def scene_data(scene: Scene) -> Mapping[str, Any]:
             {"vertices": _text(mesh.vertices), "triangles": _text(mesh.triangles)}
             for mesh in meshes
         ],
+        "marks": [marks_data(marks) for marks in scene.marks],
     }
 
 
@@ -79,6 +84,9 @@ _STYLE: Final = {
     "ghost": style.GHOST,
     "ambient": style.AMBIENT,
     "light": style.LIGHT,
+    "clear": style.CLEAR,
+    "pointSize": POINT_SIZE,
+    "lineWidth": LINE_WIDTH,
 }
 
 

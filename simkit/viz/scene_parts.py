@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
 
 from simkit.tf.rotation import multiply
-from simkit.tf.transform import Quaternion, Vector
+from simkit.tf.transform import IDENTITY, Quaternion, Vector
 from simkit.viz import scene_style as style
+from simkit.viz.marks import POINT_SIZE, Marks
 from simkit.viz.scene import PlacedSolid, Scene
-from simkit.viz.solid import Color
+from simkit.viz.solid import Color, Role
 from simkit.viz.stage import Stage
-from simkit.viz.surfaces import Surface, joined, surface_of, unit_cylinder
+from simkit.viz.surfaces import Array, Surface, joined, surface_of, unit_box, unit_cylinder
 from simkit.viz.tf_scene import FramePose
+from simkit.viz.turns import turn_from_z
 
 _HALF = math.sqrt(0.5)
 _FROM_Z: tuple[Quaternion, ...] = (
@@ -22,6 +27,8 @@ _FROM_Z: tuple[Quaternion, ...] = (
     (0.0, 0.0, 0.0, 1.0),
 )
 "Turns z to x, to y, to z."
+_INNER = (Role.CENTRE, Role.JOINT)
+"Shapes that are inside of others, and shine through them as frames do."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,23 +43,55 @@ class SceneParts:
     """Axes and arrows, which shine through the shapes."""
     veils: tuple[tuple[Surface, Color, float], ...]
     """Shapes that light goes through, with their opacity, the farthest first."""
+    dots: tuple[tuple[Surface, Color, bool], ...] = ()
+    """The points of marks, and whether they shine through the shapes."""
+    strokes: tuple[tuple[Array, Color, bool], ...] = ()
+    """The lines of marks: their straight parts, shape (n, 2, 3) [m], colour, whether they shine through."""
 
 
 def scene_parts(scene: Scene) -> SceneParts:
     """What is drawn of a scene, as its displays say."""
     displays = scene.displays
-    shown = [placed for placed in scene.solids if placed.solid.role is displays.robot]
+    shown = [placed for placed in scene.solids if displays.shows(placed.solid.role)]
     shown.sort(key=lambda placed: -scene.stage.camera.seen(placed.pose()[0])[2])
+    outer = [(s, _opacity(s, scene)) for s in shown if s.solid.role not in _INNER]
     frames: dict[str, list[Surface]] = {}
     if displays.tf:
         for surface, color in _frame_surfaces(scene.tf.poses, scene.stage.axis_length):
             frames.setdefault(color, []).append(surface)
+    inner = [(_surface(s), s.color) for s in shown if s.solid.role in _INNER]
+    axes = [(joined(parts), style.rgb(color)) for color, parts in frames.items()]
+    marks = [marks for marks in scene.marks if marks.is_on]
     return SceneParts(
         lines=tuple(_grid(scene.stage)) if displays.grid else (),
-        opaque=tuple((_surface(s), s.color) for s in shown if s.alpha >= 1.0),
-        frames=tuple((joined(parts), style.rgb(color)) for color, parts in frames.items()),
-        veils=tuple((_surface(s), s.color, s.alpha) for s in shown if s.alpha < 1.0),
+        opaque=tuple((_surface(s), s.color) for s, alpha in outer if alpha >= 1.0),
+        frames=(*axes, *inner),
+        veils=tuple((_surface(s), s.color, alpha) for s, alpha in outer if alpha < 1.0),
+        dots=tuple(_dots(marks, POINT_SIZE * scene.stage.camera.distance)),
+        strokes=tuple(_strokes(marks)),
     )
+
+
+def _opacity(placed: PlacedSolid, scene: Scene) -> float:
+    is_clear = scene.displays.transparent and placed.solid.role is Role.VISUAL
+    return placed.alpha * (style.CLEAR if is_clear else 1.0)
+
+
+def _dots(displays: Iterable[Marks], size: float) -> Iterator[tuple[Surface, Color, bool]]:
+    for marks in displays:
+        boxes: dict[str, list[Surface]] = {}
+        colors = marks.colors if marks.is_many_colored else [marks.color] * len(marks.points)
+        for point, color in zip(marks.points, colors, strict=True):
+            boxes.setdefault(color, []).append(unit_box().placed(point, IDENTITY, (size,) * 3))
+        for color, parts in boxes.items():
+            yield joined(parts), style.rgb(color), marks.shines_through
+
+
+def _strokes(displays: Iterable[Marks]) -> Iterator[tuple[Array, Color, bool]]:
+    for marks in displays:
+        parts = [part for line in marks.lines for part in pairwise(line)]
+        if parts:
+            yield np.array(parts), style.rgb(marks.color), marks.shines_through
 
 
 def _grid(stage: Stage) -> Iterator[tuple[Vector, Vector, Color]]:
@@ -86,7 +125,7 @@ def _arrow(
     if way < 1e-9:
         return
     x, y, z = ((b - a) / way for a, b in zip(start, end, strict=True))
-    turn, middle = _to((x, y, z)), _along(start, (x, y, z), way / 2)
+    turn, middle = turn_from_z((x, y, z)), _along(start, (x, y, z), way / 2)
     thick = style.ARROW_RADIUS * length
     yield rod.placed(middle, turn, (thick, thick, way)), style.ARROW_COLOR
     if way > 2 * style.HEAD_LENGTH * length:
@@ -101,12 +140,3 @@ def _surface(placed: PlacedSolid) -> Surface:
 def _along(start: Vector, direction: Vector, length: float) -> Vector:
     x, y, z = (s + length * d for s, d in zip(start, direction, strict=True))
     return (x, y, z)
-
-
-def _to(direction: Vector) -> Quaternion:
-    """A turn that takes z to a direction of unit length."""
-    x, y, z = direction
-    if z < -0.999999:
-        return (1.0, 0.0, 0.0, 0.0)
-    norm = math.sqrt(2.0 * (1.0 + z))
-    return (-y / norm, x / norm, 0.0, norm / 2.0)

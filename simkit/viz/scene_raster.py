@@ -7,6 +7,7 @@ import numpy as np
 from simkit.viz import scene_style as style
 from simkit.viz.drawing import Point
 from simkit.viz.eye import Eye, Pixels
+from simkit.viz.raster import Layer
 from simkit.viz.scene import Scene
 from simkit.viz.scene_parts import SceneParts, scene_parts
 
@@ -16,6 +17,8 @@ _BAND = 64
 "So many rows are made at a time: a whole picture at once would take hundreds of megabytes."
 _LINE = 1.2
 "Width of a line of the grid [px]."
+_STROKE = 2.4
+"Width of a line of marks [px]."
 
 
 def scene_pixels(scene: Scene, *, size: Point, scale: int = 1) -> Pixels:
@@ -45,8 +48,9 @@ def _draw(parts: SceneParts, eye: Eye, *, line_width: float) -> None:
         eye.line(eye.solid, start, end, width=line_width, color=color)
     for surface, color in parts.opaque:
         eye.surface(eye.solid, surface, color)
+    _draw_marks(parts, eye, eye.solid, shining=False)
     eye.lay(eye.solid, np.where(eye.solid.nearness > 0.0, 1.0, 0.0))
-    if parts.frames:
+    if parts.frames or parts.dots or parts.strokes:
         _draw_frames(parts, eye)
     for surface, color, alpha in parts.veils:
         eye.lay_veil(surface, color, alpha)
@@ -56,6 +60,16 @@ def _draw_frames(parts: SceneParts, eye: Eye) -> None:
     frames = eye.layer()
     for surface, color in parts.frames:
         eye.surface(frames, surface, color)
+    _draw_marks(parts, eye, frames, shining=True)
     is_before = frames.nearness >= eye.solid.nearness
     eye.lay(frames, np.where(is_before, 1.0, style.GHOST) * (frames.nearness > 0.0))
     np.maximum(eye.solid.nearness, frames.nearness, out=eye.solid.nearness)
+
+
+def _draw_marks(parts: SceneParts, eye: Eye, layer: Layer, *, shining: bool) -> None:
+    for surface, color, shines in parts.dots:
+        if shines is shining:
+            eye.surface(layer, surface, color)
+    for segments, color, shines in parts.strokes:
+        if shines is shining:
+            eye.lines(layer, segments, width=_STROKE * eye.fineness, color=color)

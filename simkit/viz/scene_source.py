@@ -8,12 +8,14 @@ from simkit.graph.params import ParameterServer
 from simkit.packages import PackagePath
 from simkit.tf import Buffer
 from simkit.tf.transform import Vector
+from simkit.viz.marks import Marks
 from simkit.viz.robot_description import described_robot
 from simkit.viz.robot_room import robot_room
 from simkit.viz.robot_solids import RobotShapes
 from simkit.viz.rviz_settings import RvizSettings
 from simkit.viz.scene import Scene, make_scene
 from simkit.viz.tf_scene import TfScene, tf_scene
+from simkit.viz.topics.ears import RvizEars
 
 FIRST_FRAME: Final = "map"
 """The fixed frame that RViz begins with; there, a person chooses another one in its window."""
@@ -28,6 +30,7 @@ class SceneSource:
         parameters: The parameter server, with the description of the robot.
         packages: Where `package://` leads.
         with_room: Whether the camera leaves room for links that turn.
+        ears: What was said on the topics that are shown; without it, none are.
     """
 
     def __init__(
@@ -38,10 +41,11 @@ class SceneSource:
         parameters: ParameterServer,
         packages: PackagePath,
         with_room: bool = False,
+        ears: RvizEars | None = None,
     ) -> None:
         self.settings = settings
         self._buffer, self._parameters, self._packages = buffer, parameters, packages
-        self._with_room = with_room
+        self._with_room, self._ears = with_room, ears
         self._described: object = ()
         self._robot: RobotShapes | None = None
         self._room: tuple[Vector, ...] = ()
@@ -62,11 +66,33 @@ class SceneSource:
             displays=self.settings.displays,
             room=self._room,
             complaint=self.settings.complaint,
+            marks=self.marks(),
+            troubles=self._troubles(),
         )
 
     def frames(self) -> TfScene:
         """Where the frames are now; less work than a whole scene."""
-        return tf_scene(self._buffer, fixed_frame=self.fixed_frame, time=self.settings.time)
+        return tf_scene(
+            self._buffer,
+            fixed_frame=self.fixed_frame,
+            time=self.settings.time,
+            troubles=self._troubles(),
+        )
+
+    def shapes(self) -> object:
+        """The shapes that hang on the frames; another object when they are others."""
+        return self.robot()
+
+    def marks(self) -> tuple[Marks, ...]:
+        """What the displays of topics draw now."""
+        if self._ears is None:
+            return ()
+        return self._ears.marks(self.settings.topics, self.fixed_frame)
+
+    def _troubles(self) -> tuple[str, ...]:
+        if self._ears is None:
+            return ()
+        return self._ears.troubles(self.settings.topics, self.fixed_frame)
 
     def robot(self) -> RobotShapes | None:
         """The robot that is described now; None if there is none."""

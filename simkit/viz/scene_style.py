@@ -25,6 +25,8 @@ LOST_COLOR: Final = "#ffffff"
 """Of a link that tf does not know, as in RViz."""
 LOST_ALPHA: Final = 0.6
 """Its opacity."""
+CLEAR: Final = 0.35
+"""Opacity of what a person has made transparent, on top of its own."""
 AMBIENT: Final = 0.6
 """Share of a colour that is seen where no light falls."""
 LIGHT: Final[Vector] = (-0.35, 0.5, 1.0)

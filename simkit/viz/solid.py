@@ -1,4 +1,4 @@
-"""What a view draws of a robot: shapes with a colour, each fixed to a link."""
+"""What a view draws of robots and worlds: shapes with a colour, each fixed to a link."""
 
 from __future__ import annotations
 
@@ -20,6 +20,14 @@ class Role(enum.Enum):
     """What is seen of it."""
     COLLISION = "collision"
     """What others touch of it."""
+    CENTRE = "centre"
+    """A ball in its centre of mass."""
+    INERTIA = "inertia"
+    """A box that would be as hard to turn."""
+    JOINT = "joint"
+    """The axis of a joint, in the frame of its child."""
+    GROUND = "ground"
+    """The ground that everything stands on."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from simkit.errors import near_names
@@ -58,16 +59,19 @@ class TfScene:
     error: str
     """Why nothing can be shown; empty if something can."""
     problems: tuple[str, ...]
-    """A sentence for each frame that cannot be shown."""
+    """A sentence for each frame, or message, that cannot be shown."""
 
 
-def tf_scene(buffer: Buffer, *, fixed_frame: str, time: Time = LATEST) -> TfScene:
+def tf_scene(
+    buffer: Buffer, *, fixed_frame: str, time: Time = LATEST, troubles: Iterable[str] = ()
+) -> TfScene:
     """Where every frame of a buffer is.
 
     Args:
         buffer: The transforms.
         fixed_frame: The frame that all others are seen from.
         time: When; for each frame its own latest time if `Time(0)`.
+        troubles: Sentences on what else needs the transforms, and cannot be shown.
 
     Source:
         RViz' TF display, with its words for what is wrong.
@@ -75,7 +79,10 @@ def tf_scene(buffer: Buffer, *, fixed_frame: str, time: Time = LATEST) -> TfScen
     core = buffer.core
     if not core.frame_exists(fixed_frame):
         return TfScene(
-            fixed_frame=fixed_frame, poses=(), error=_no_such_frame(core, fixed_frame), problems=()
+            fixed_frame=fixed_frame,
+            poses=(),
+            error=_no_such_frame(core, fixed_frame),
+            problems=tuple(troubles),
         )
     poses: list[FramePose] = []
     problems: list[str] = []
@@ -92,7 +99,9 @@ def tf_scene(buffer: Buffer, *, fixed_frame: str, time: Time = LATEST) -> TfScen
             problems.append(f"No transform from [{name}] to [{fixed_frame}]: it is too far away.")
         else:
             poses.append(pose)
-    return TfScene(fixed_frame=fixed_frame, poses=tuple(poses), error="", problems=tuple(problems))
+    return TfScene(
+        fixed_frame=fixed_frame, poses=tuple(poses), error="", problems=(*problems, *troubles)
+    )
 
 
 def _pose(name: str, parent: str | None, found: Transform) -> FramePose | None:

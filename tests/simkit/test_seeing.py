@@ -5,7 +5,7 @@ import math
 import pytest
 
 from simkit import Simulation
-from simkit.errors import UnknownNameError
+from simkit.errors import SimkitError, UnknownNameError
 from simkit.msgs import Time, message_class
 from simkit.tf import TransformBroadcaster
 from simkit.viz import LiveRviz, RvizReplay, RvizView
@@ -135,3 +135,85 @@ def test_a_served_window_is_there_until_its_node_ends(sim, drive):
     rviz.shutdown()
     drive(0.02)
     assert not view.alive
+
+
+@pytest.fixture
+def laser(sim, drive):
+    """The turtle sees a wall 1 m ahead, tells where it is, and has a plan."""
+    node = sim.graph.create_node("/robot")
+    scans = node.advertise("/scan", message_class("sensor_msgs/LaserScan"))
+    odometry = node.advertise("/odom", message_class("nav_msgs/Odometry"))
+
+    def look(seconds):
+        for _ in range(round(seconds / 0.1)):
+            drive(0.1)
+            scan = message_class("sensor_msgs/LaserScan")(range_max=10.0, ranges=[1.0])
+            scan.header.frame_id = "turtle1"
+            scans.publish(scan)
+            odom = message_class("nav_msgs/Odometry")()
+            odom.header.frame_id = "world"
+            odom.pose.pose.position.x = 2.0 * (sim.now.to_sec() % 1000)
+            odom.pose.pose.orientation.w = 1.0
+            odometry.publish(odom)
+            sim.run(0.0)
+
+    return look
+
+
+def test_rviz_shows_topics(sim, laser):
+    laser(0.3)
+    first = sim.rviz(topics=["/scan", "odom"])
+    scan, odom = first.scene.marks
+    assert [scan.label, odom.label] == ["LaserScan /scan", "Odometry /odom"]
+    turtle = sim.tf.lookup_transform("world", "turtle1").transform.translation
+    assert scan.points == (pytest.approx((turtle.x + 1.0, turtle.y, 0.0)),)
+    assert len(odom.lines) == 1
+    laser(0.5)
+    assert len(sim.rviz(topics=["/scan", "/odom"]).scene.marks[1].lines) == 6
+    assert len(sim.rviz(topics=["/odom"], keep=2).scene.marks[0].lines) == 1
+    assert first.scene.marks == (scan, odom)
+    assert len(sim.rviz(topics="/scan").scene.marks) == 1
+    assert sim.rviz(topics=["/odom"]).to_png() != sim.rviz().to_png()
+
+
+def test_topics_that_rviz_cannot_show_are_refused(sim, drive):
+    drive(0.1)
+    with pytest.raises(UnknownNameError, match="/skan"):
+        sim.rviz(topics=["/skan"])
+    with pytest.raises(SimkitError, match="no display shows topic /tf, a tf2_msgs/TFMessage"):
+        sim.rviz(topics=["/tf"])
+    later = sim.rviz(topics={"/scan": "sensor_msgs/LaserScan"})
+    assert later.problems == ("LaserScan /scan: No messages received.",)
+
+
+def test_a_live_view_hears_of_topics(sim, drive, laser):
+    drive(0.1)
+    live = sim.rviz(topics={"/scan": "sensor_msgs/LaserScan"}, live=True)
+    assert "No messages received" in live.to_html()
+    laser(0.2)
+    page = live.to_html()
+    assert "No messages received" not in page
+    (marks,) = sim.rviz(topics=["/scan"]).scene.marks
+    assert f'"points":{[round(value, 4) for value in marks.points[0]]}'.replace(", ", ",") in page
+
+
+def test_a_replay_shows_the_recorded_topics(sim, drive, laser):
+    laser(0.1)
+    recording = sim.record(["/tf", "/scan", "/odom"])
+    laser(1.0)
+    replay = sim.rviz_replay(recording, keep=4)
+    odom, scan = replay.tape.topics
+    assert odom.keep == 4
+    assert len(scan.moments) == 10
+
+
+def test_rviz_as_a_node_shows_the_topics_of_its_configuration(sim, laser, tmp_path):
+    laser(0.2)
+    file = tmp_path / "view.rviz"
+    file.write_text(
+        "Visualization Manager:\n  Global Options: {Fixed Frame: world}\n"
+        "  Displays: [{Class: rviz/LaserScan, Topic: /scan, Enabled: true}]\n"
+    )
+    view = sim.window_of(sim.rosrun("rviz", "rviz", "-d", str(file)))
+    (marks,) = view.scene.marks
+    assert len(marks.points) == 1

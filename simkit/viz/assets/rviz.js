@@ -1,6 +1,6 @@
 // The view: a scene, a camera, and what a person does with both. See RvizView in rviz_view.py.
 const element = (id) => document.getElementById(id);
-const DISPLAYS = ["grid", "tf", "names", "visual", "collision"];
+const ROLES = ["visual", "collision", "centre", "inertia", "joint", "ground"];
 
 class View {
   constructor(scene) {
@@ -14,7 +14,9 @@ class View {
     element("top").addEventListener("click", () => { this.camera.fromAbove(); this.redraw(); });
     element("again").addEventListener("click", () => this.start());
     element("table").addEventListener("toggle", () => tellNumbers(this.scene.frames));
-    for (const name of DISPLAYS) element(name).addEventListener("change", () => this.redraw());
+    for (const box of document.querySelectorAll("label > input[type=checkbox]")) {
+      box.addEventListener("change", () => this.redraw());
+    }
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.measure());
     // A notebook loads this page before it gives it any room, and tells of no resize when it does.
     new ResizeObserver(() => this.measure()).observe(this.place);
@@ -63,7 +65,7 @@ class View {
       this.objects = new SceneObjects(MeshCat.THREE, scene);
       this.place.classList.remove("is-still");
     }
-    for (const role of ["visual", "collision"]) {
+    for (const role of ROLES) {
       element(role).parentElement.hidden = !scene.solids.some((solid) => solid.role === role);
     }
     this.measure();
@@ -100,9 +102,11 @@ class View {
     if (!this.renderer) this.camera.reset();
     const isOn = (name) => element(name).checked;
     if (this.renderer) {
-      const { root, grid, frames, roles, light } = this.objects;
+      const { root, grid, frames, roles, marks, light } = this.objects;
       [grid.visible, frames.visible] = [isOn("grid"), isOn("tf")];
-      [roles.visual.visible, roles.collision.visible] = [isOn("visual"), isOn("collision")];
+      for (const role of ROLES) roles[role].visible = isOn(role);
+      for (const one of marks) one.group.visible = isOn(`marks-${one.name}`);
+      if (element("clear")) this.objects.makeClear(isOn("clear"));
       this._look(light);
       this.renderer.render(root, this.eye);
     }

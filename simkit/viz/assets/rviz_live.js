@@ -13,6 +13,7 @@
       const frame = view.scene.frames[number];
       [frame.p, frame.q] = [pose.slice(0, 3), pose.slice(3)];
     }
+    if (news.marks) view.objects?.marks.forEach((marks, i) => marks.show(view.scene.marks[i] = news.marks[i]));
     view.moved();
     if (element("table").open && performance.now() > told + 200) {
       told = performance.now();
@@ -45,6 +46,7 @@
 
   const address = view.scene.socket;
   const unreachable = "Not live: this browser does not reach the computer where the simulation runs (as on JupyterHub or " +
-    "Colab), or the simulation is over. This is how it was when the view was made; sim.rviz() shows how it is now.";
+    "Colab), or the simulation is over. This is how it was when the view was made; " +
+    `${view.scene.command} shows how it is now.`;
   connect();
 })();

@@ -1,4 +1,6 @@
 // The things of a scene as objects of three.js. Data: see scene_data.py.
+const INNER = ["centre", "joint"];  // inside of other shapes, and seen through them
+
 class SceneObjects {
   constructor(THREE, scene) {
     this.three = THREE;
@@ -7,11 +9,12 @@ class SceneObjects {
     this.made = [];
     this.grid = this._grid();
     this.frames = new THREE.Group();
-    this.roles = { visual: new THREE.Group(), collision: new THREE.Group() };
+    this.roles = Object.fromEntries(ROLES.map((role) => [role, new THREE.Group()]));
     this._solids();
+    this.marks = scene.marks.map((marks) => new MarkObjects(THREE, scene, marks));
     this._rods();
     this.light = new THREE.DirectionalLight(0xffffff, 1 - scene.style.ambient);
-    this.root.add(this.grid, this.frames, this.roles.visual, this.roles.collision);
+    this.root.add(this.grid, this.frames, ...Object.values(this.roles), ...this.marks.map(({ group }) => group));
     this.root.add(this.light, new THREE.AmbientLight(0xffffff, scene.style.ambient));
     this.place();
   }
@@ -37,7 +40,7 @@ class SceneObjects {
   }
 
   dispose() {
-    for (const thing of this.made) thing.dispose();
+    for (const thing of [...this.made, ...this.marks]) thing.dispose();
   }
 
   _keep(thing) {
@@ -106,20 +109,30 @@ class SceneObjects {
   _solids() {
     const meshes = this.scene.meshes.map((mesh) => this._mesh(mesh));
     this.solids = this.scene.solids.map((solid) => {
-      const isClear = solid.alpha < 1, isTouched = solid.role === "collision";
+      const isClear = solid.alpha < 1, isTouched = solid.role === "collision", isInner = INNER.includes(solid.role);
       const material = this._keep(new this.three.MeshLambertMaterial({
-        color: solid.color, opacity: solid.alpha, transparent: isClear, depthWrite: !isClear,
-        polygonOffset: isTouched, polygonOffsetFactor: -1, polygonOffsetUnits: -1,
+        color: solid.color, opacity: solid.alpha, transparent: isClear || isInner, depthWrite: !isClear,
+        polygonOffset: isTouched, polygonOffsetFactor: -1, polygonOffsetUnits: -1, depthTest: !isInner,
       }));
       const body = new this.three.Mesh(this._geometry(solid, meshes), material);
-      body.renderOrder = isClear ? 3 : 0;
+      body.renderOrder = isInner ? 5 : isClear ? 3 : 0;
       body.position.fromArray(solid.p);
       body.quaternion.fromArray(solid.q);
       const object = new this.three.Group();
       object.add(body);
       this.roles[solid.role].add(object);
-      return { object, frame: solid.frame };
+      return { object, frame: solid.frame, body, solid };
     });
+  }
+
+  // Lets one see through what is seen of the links, or not.
+  makeClear(isClear) {
+    for (const { body, solid } of this.solids) {
+      if (solid.role !== "visual" || body.isClear === isClear) continue;
+      const alpha = solid.alpha * (isClear ? this.scene.style.clear : 1), { material } = body;
+      Object.assign(material, { opacity: alpha, transparent: alpha < 1, depthWrite: alpha === 1, needsUpdate: true });
+      Object.assign(body, { isClear, renderOrder: alpha < 1 ? 3 : 0 });
+    }
   }
 
   _geometry({ kind, size }, meshes) {

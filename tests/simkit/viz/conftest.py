@@ -9,13 +9,14 @@ import re
 import shutil
 import subprocess
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from simkit import Simulation
 from simkit.graph import Executor, Graph
 from simkit.msgs import Duration, Time, message_class, service_class
 from simkit.nodes import builtin_nodes
@@ -271,6 +272,62 @@ def drive() -> Drive:
 @pytest.fixture
 def window() -> Window:
     return Window()
+
+
+ROBOTS = Path(__file__).resolve().parents[3] / "robots"
+"""The packages with the robots of the book."""
+CART = """<robot name="cart">
+  <material name="mint"><color rgba="0.2 0.9 0.6 1"/></material>
+  <link name="base">
+    <inertial><origin xyz="0.1 0 0"/><mass value="6"/>
+      <inertia ixx="0.05" iyy="0.1" izz="0.13" ixy="0" ixz="0" iyz="0"/></inertial>
+    <visual><geometry><box size="0.4 0.3 0.1"/></geometry><material name="mint"/></visual>
+    <collision><geometry><box size="0.4 0.3 0.1"/></geometry></collision>
+  </link>
+  <link name="mast">
+    <visual><geometry><cylinder radius="0.02" length="0.2"/></geometry><material name="mint"/></visual>
+  </link>
+  <joint name="mount" type="fixed"><parent link="base"/><child link="mast"/><origin xyz="0 0 0.15"/></joint>
+  <link name="lid">
+    <inertial><mass value="1"/><inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial>
+    <visual><geometry><sphere radius="0.05"/></geometry></visual>
+  </link>
+  <joint name="hinge" type="revolute"><parent link="base"/><child link="lid"/><origin xyz="0.2 0 0.1"/>
+    <axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+  <link name="flag"><visual><geometry><box size="1 1 1"/></geometry></visual></link>
+  <joint name="string" type="continuous"><parent link="base"/><child link="flag"/></joint>
+  <gazebo reference="mast"><material>Gazebo/Orange</material></gazebo>
+</robot>"""
+"""A base with a mast that is lumped onto it, a lid on a hinge, and a flag that weighs nothing."""
+
+
+@pytest.fixture
+def sim() -> Iterator[Simulation]:
+    """A silent simulation that finds the robots of the book."""
+    with Simulation(seed=1, screen=None, package_path=[ROBOTS]) as made:
+        yield made
+
+
+@pytest.fixture
+def cart_text() -> str:
+    """The URDF of the cart."""
+    return CART
+
+
+@pytest.fixture
+def m2wr(sim: Simulation) -> Any:
+    """The book's robot with a laser, at rest on the ground of a world."""
+    spawned = sim.spawn(ROBOTS / "my_robot_urdf/urdf/m2wr.urdf", name="m2wr", xyz=(0.0, 0.0, 0.1))
+    sim.run(0.01)
+    return spawned
+
+
+@pytest.fixture
+def cart(sim: Simulation) -> Any:
+    """A cart that has come to rest on the ground of a world."""
+    spawned = sim.spawn(CART, name="cart", xyz=(0.0, 0.0, 0.05))
+    sim.run(0.1)
+    return spawned
 
 
 @pytest.fixture

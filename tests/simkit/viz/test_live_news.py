@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import pytest
 
@@ -8,6 +9,7 @@ from simkit.graph.params import ParameterServer
 from simkit.packages import PackagePath
 from simkit.viz import RvizSettings, SceneSource
 from simkit.viz.live_news import LiveNews, message
+from simkit.viz.marks import Marks
 
 START = 1_600_088_400
 ROBOT = '<robot name="r"><link name="a"/></robot>'
@@ -26,8 +28,8 @@ def news(turtles, parameters):
     return LiveNews(source)
 
 
-def told(state, number=-1, known=None):
-    text = message(state, number, known or {})
+def told(state, number=-1, known=None, known_marks=()):
+    text = message(state, number, known or {}, known_marks)
     return None if text is None else json.loads(text)
 
 
@@ -51,6 +53,17 @@ def test_only_what_has_moved_is_told(news, turtles):
     found = told(after, before.number, dict(enumerate(before.poses)))
     assert found == {"news": {"poses": {"3": [4, 4, 0, 0, 0, 0, 1]}}}
     assert after.scene == before.scene
+
+
+def test_points_and_lines_are_told_when_they_are_others(news):
+    contact = Marks(name="contacts", label="Contacts", color="#00ff00", points=((1.0, 2.0, 3.0),))
+    state = replace(news.look(), marks=(contact,))
+    poses = dict(enumerate(state.poses))
+    data = [{"points": [1, 2, 3], "lines": []}]
+    assert told(state, state.number, poses) == {"news": {"marks": data}}
+    assert told(state, state.number, poses, state.marks) is None
+    # Who gets another scene is told them anew.
+    assert told(state, -1, poses, state.marks)["news"]["marks"] == data
 
 
 @pytest.mark.parametrize("change", ["a frame", "the robot", "beyond the grid", "another parent"])

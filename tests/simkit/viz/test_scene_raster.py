@@ -7,6 +7,7 @@ import pytest
 
 from simkit.viz import scene_raster
 from simkit.viz.camera import on_paper
+from simkit.viz.marks import Marks
 from simkit.viz.scene import Displays, make_scene
 from simkit.viz.scene_raster import scene_pixels
 from simkit.viz.scene_style import AXIS_COLORS, rgb
@@ -90,6 +91,37 @@ def test_through_a_transparent_shape_one_sees_what_is_behind(arm_frames, arm):
     opacity = pixels(scene)[:, :, 3]
     assert 70 < np.median(opacity[opacity > 0]) < 140
     assert opacity.max() < 255
+
+
+def test_what_is_made_transparent_is_seen_through(arm_frames, arm):
+    scene = make_scene(arm_frames, fixed_frame="world", robot=arm, displays=only_robot())
+    clear = replace(scene, displays=only_robot(transparent=True))
+    assert pixels(scene)[:, :, 3].max() == 255
+    assert 0 < pixels(clear)[:, :, 3].max() < 255
+
+
+def test_points_and_lines_are_drawn_in_their_colours(arm_frames):
+    marks = Marks(
+        name="contacts",
+        label="Contacts",
+        color="#00c000",
+        points=((0.0, 0.0, 0.2),),
+        lines=(((-0.1, 0.0, 0.0), (0.1, 0.0, 0.0), (0.1, 0.0, 0.3)),),
+    )
+    scene = make_scene(arm_frames, fixed_frame="world", displays=Displays(grid=False, tf=False))
+    assert hue(pixels(replace(scene, marks=(marks,))), (0, 1, 0)).sum() > 100
+    assert not pixels(replace(scene, marks=(replace(marks, is_on=False),))).any()
+
+
+def test_marks_are_hidden_by_shapes_unless_they_shine_through(arm_frames, arm):
+    inside = Marks(name="m", label="m", color="#00ff00", points=((0.0, 0.0, 0.3),))
+    scene = make_scene(arm_frames, fixed_frame="world", robot=arm, displays=only_robot())
+    without, hidden, shining = (
+        pixels(replace(scene, marks=marks))
+        for marks in ((), (inside,), (replace(inside, shines_through=True),))
+    )
+    assert (hidden == without).all()
+    assert (shining != without).any(axis=2).sum() > 3
 
 
 def test_a_picture_is_made_in_bands_without_seams(arm_frames, arm, monkeypatch):

@@ -1,0 +1,56 @@
+"""gzclient as a node: the window of Gazebo; the simulation makes the view of it.
+
+Source: gazebo_ros `empty_world.launch`, which starts it as `gazebo_gui`; gzclient's command line.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from simkit.graph import Node
+from simkit.msgs import Duration
+from simkit.tools import UsageError
+from simkit.tools.program import Program
+
+USAGE: Final = "usage: gzclient [--verbose]"
+HINT: Final = "sim.gzclient() shows the world, sim.gzclient(live=True) follows it"
+HINT_AFTER: Final = Duration.from_nsec(250_000_000)
+"""When a node whose window nobody has opened says how it is opened."""
+_FLAGS: Final = ("--verbose", "-q", "--quiet")
+_WITH_VALUE: Final = ("-g", "--gui-plugin", "--gui-client-plugin")
+
+
+class GzclientProgram(Program):
+    """The program `gzclient` of the package gazebo_ros.
+
+    Args:
+        node: Its place in the graph.
+        argv: Options of gzclient; they change nothing here.
+
+    Raises:
+        UsageError: An argument is none of these.
+    """
+
+    def __init__(self, node: Node, argv: list[str]) -> None:
+        super().__init__(node)
+        _check(argv)
+        self._timer = node.create_timer(HINT_AFTER, self._hint)
+
+    def tell(self, url: str) -> None:
+        """Print where the view is, for a person at a terminal."""
+        self._timer.cancel()
+        self._print(f"Gazebo is at {url} (open it in a browser; Ctrl-C ends it)\n")
+
+    def _hint(self) -> None:
+        self._timer.cancel()
+        self._print(f"no window opens here: {HINT}\n")
+
+
+def _check(argv: list[str]) -> None:
+    rest = list(argv)
+    while rest:
+        word = rest.pop(0)
+        if word in _WITH_VALUE and rest:
+            rest.pop(0)
+        elif word not in _FLAGS:
+            raise UsageError(f"gzclient: {word!r} is no argument of it; {USAGE}")

@@ -1,0 +1,116 @@
+"""What all plots have in common: their files, and how they look."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from simkit.errors import UnknownNameError
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+FORMATS = (".pdf", ".png", ".svg")
+"""What `Plot.save` writes, by suffix."""
+LINE_COLORS: Final = (
+    *("#2b6fe0", "#d92d2d", "#21913c", "#7a4fb5", "#b7791f"),
+    *("#0f8a8a", "#c2418f", "#5b6b7d", "#7a5230", "#1d2733"),
+)
+"""Of lines beside each other; after the last comes the first again."""
+LEAST_HEIGHT: Final = 0.02
+"""Least range of an axis: no scale so fine that it shows rounding errors as motion."""
+
+
+class Plot:
+    """A figure, made once; it shows itself in a notebook and is saved as `.svg`, `.png` or `.pdf`."""
+
+    @property
+    def title(self) -> str:
+        """One line on what it shows."""
+        raise NotImplementedError
+
+    def figure(self) -> Figure:
+        """The figure; made within the plain settings of matplotlib."""
+        raise NotImplementedError
+
+    def to_svg(self) -> str:
+        """The figure as an SVG document; equal data give equal text."""
+        from simkit.viz.plain_matplotlib import plain_settings, svg_of
+
+        with plain_settings():
+            return svg_of(self.figure(), title=self.title)
+
+    def to_png(self) -> bytes:
+        """The figure as a PNG file."""
+        from simkit.viz.plain_matplotlib import plain_settings, png_of
+
+        with plain_settings():
+            return png_of(self.figure(), title=self.title)
+
+    def to_pdf(self) -> bytes:
+        """The figure as a PDF file of one page."""
+        from simkit.viz.plain_matplotlib import pdf_of, plain_settings
+
+        with plain_settings():
+            return pdf_of(self.figure(), title=self.title)
+
+    def save(self, path: str | Path) -> None:
+        """Write a file: `.svg`, `.png` or `.pdf` by its suffix.
+
+        Raises:
+            UnknownNameError: The suffix is another one.
+        """
+        path = Path(path)
+        match path.suffix.lower():
+            case ".svg":
+                path.write_text(self.to_svg(), encoding="utf-8", newline="\n")
+            case ".png":
+                path.write_bytes(self.to_png())
+            case ".pdf":
+                path.write_bytes(self.to_pdf())
+            case suffix:
+                raise UnknownNameError("picture format", suffix, FORMATS)
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.title!r})"
+
+    def _repr_svg_(self) -> str:
+        return self.to_svg()
+
+
+def panels(title: str, heights: Sequence[float]) -> tuple[Figure, list[Axes]]:
+    """A figure of axes above each other, which share their time.
+
+    Args:
+        title: What stands above.
+        heights: Share of each in the height.
+    """
+    from matplotlib.figure import Figure
+
+    height = 1.2 + 1.7 * len(heights)
+    figure = Figure(figsize=(7.2, height), dpi=140, layout="constrained")
+    grid = figure.subplots(len(heights), 1, sharex=True, squeeze=False, height_ratios=heights)
+    axes = [row[0] for row in grid]
+    axes[0].set_title(title, loc="left", fontsize=11, parse_math=False)
+    return figure, axes
+
+
+def finish(axes: Iterable[Axes]) -> None:
+    """Grid, legend and a height that shows no rounding errors."""
+    for one in axes:
+        low, high = one.get_ylim()
+        spare = (LEAST_HEIGHT - (high - low)) / 2
+        if spare > 0.0:
+            one.set_ylim(low - spare, high + spare)
+        one.grid(color="#e3e8ee", linewidth=0.8)
+        one.spines[["top", "right"]].set_visible(False)
+        one.ticklabel_format(useOffset=False)
+        if one.get_legend_handles_labels()[0]:
+            one.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False)
+
+
+def line_color(number: int) -> str:
+    """The colour of a line by its number."""
+    return LINE_COLORS[number % len(LINE_COLORS)]

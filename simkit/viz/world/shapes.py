@@ -1,0 +1,159 @@
+"""The shapes of a model of Gazebo, in the colours of its window."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Final
+
+from simkit.physics import Plane
+from simkit.physics.poses import quaternion
+from simkit.physics.sdf import SdfModel
+from simkit.tf.rotation import multiply
+from simkit.tf.transform import Quaternion, Vector
+from simkit.urdf import Collision, Robot, Visual
+from simkit.urdf.kinematics import Placement, compose, pose_transform
+from simkit.viz.robot_solids import painted, part_solid
+from simkit.viz.solid import Color, Role, Solid
+from simkit.viz.turns import turn_from_z
+from simkit.viz.world.colors import GREY, gazebo_color
+from simkit.viz.world.things import Thing, link_frame
+
+TOUCHED: Final[Color] = (1.0, 0.44, 0.0)
+"""Collision shapes are orange in Gazebo."""
+TOUCHED_ALPHA: Final = 0.5
+"""Their opacity."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ground:
+    """A plane without end, which is drawn as large as the picture needs it."""
+
+    link: str
+    """The link that it belongs to."""
+    translation: Vector
+    """A point of it in the frame of the link [m]."""
+    rotation: Quaternion
+    """Turns z to its normal."""
+    color: Color
+    """Its colour."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ModelShapes:
+    """What there is to draw of a model."""
+
+    solids: tuple[Solid, ...] = ()
+    """Its shapes; their links are named `model::link`."""
+    grounds: tuple[Ground, ...] = ()
+    """Its planes."""
+    notes: tuple[str, ...] = ()
+    """A sentence for each shape that is not drawn as it is written."""
+
+
+def model_shapes(thing: Thing, *, name: str) -> ModelShapes:
+    """What there is to draw of a model, of the links that are simulated.
+
+    A link has the colour of its `<gazebo>` material, else that of its URDF, else it is grey.
+
+    Args:
+        thing: The model.
+        name: What it is called in the view.
+
+    Source:
+        Gazebo 9 for the shapes; it shows a link without a `<gazebo>` material grey, whatever its URDF says.
+    """
+    notes: list[str] = []
+    grounds: list[Ground] = []
+    if thing.robot is not None:
+        solids = list(_of_robot(thing.robot, notes))
+    elif thing.sdf is not None:
+        solids = list(_of_sdf(thing.sdf, grounds, notes))
+    else:
+        solids = list(_of_plan(thing, grounds))
+    known = set(thing.model.links)
+    return ModelShapes(
+        solids=tuple(
+            _touched(replace(solid, link=link_frame(name, solid.link)))
+            for solid in solids
+            if solid.link in known
+        ),
+        grounds=tuple(grounds),
+        notes=tuple(dict.fromkeys(notes)),
+    )
+
+
+def _touched(solid: Solid) -> Solid:
+    if solid.role is not Role.COLLISION:
+        return solid
+    return replace(solid, color=TOUCHED, alpha=TOUCHED_ALPHA)
+
+
+def _of_robot(robot: Robot, notes: list[str]) -> Iterator[Solid]:
+    materials = gazebo_materials(robot)
+    for link in robot.links.values():
+        for visual in link.visuals:
+            named = gazebo_color(materials.get(link.name, ""))
+            color, alpha = named or painted(visual.material) or (GREY, 1.0)
+            yield from part_solid(link.name, visual, color, alpha, notes)
+        for collision in link.collisions:
+            yield from part_solid(link.name, collision, TOUCHED, TOUCHED_ALPHA, notes)
+
+
+def gazebo_materials(robot: Robot) -> Mapping[str, str]:
+    """Names of the materials in the `<gazebo>` blocks of a robot, by link; the last one of a link counts."""
+    root = robot.document.root
+    found: dict[str, str] = {}
+    for block in [] if root is None else root.all("gazebo"):
+        element = block.child("material")
+        if element is not None:
+            found[block.get("reference") or ""] = (element.get("value") or element.text).strip()
+    return found
+
+
+def _of_sdf(model: SdfModel, grounds: list[Ground], notes: list[str]) -> Iterator[Solid]:
+    for link in model.links:
+        for visual in link.visuals:
+            color, alpha = gazebo_color(visual.material) or (GREY, 1.0)
+            if visual.rgba is not None:
+                red, green, blue, alpha = (min(max(value, 0.0), 1.0) for value in visual.rgba)
+                color = (red, green, blue)
+            if isinstance(visual.geometry, Plane):
+                translation, rotation = compose(
+                    pose_transform(visual.pose), _upright(visual.geometry)
+                )
+                grounds.append(
+                    Ground(link=link.name, translation=translation, rotation=rotation, color=color)
+                )
+                continue
+            part = Visual(geometry=visual.geometry, origin=visual.pose)
+            yield from part_solid(link.name, part, color, alpha, notes)
+        for collision in link.collisions:
+            if not isinstance(collision.geometry, Plane):
+                touched = Collision(geometry=collision.geometry, origin=collision.pose)
+                yield from part_solid(link.name, touched, TOUCHED, TOUCHED_ALPHA, notes)
+
+
+def _upright(plane: Plane) -> Placement:
+    return Placement((0.0, 0.0, 0.0), turn_from_z(plane.normal))
+
+
+def _of_plan(thing: Thing, grounds: list[Ground]) -> Iterator[Solid]:
+    """Of a model without a file, what others touch."""
+    for body in thing.model.plan.bodies.values():
+        for shape in body.shapes:
+            translation, rotation = shape.frame.origin, quaternion(shape.frame.rotation)
+            if isinstance(shape.solid, Plane):
+                rotation = multiply(rotation, turn_from_z(shape.solid.normal))
+                grounds.append(
+                    Ground(link=body.name, translation=translation, rotation=rotation, color=GREY)
+                )
+                continue
+            yield Solid(
+                link=body.name,
+                role=Role.VISUAL,
+                shape=shape.solid,
+                translation=translation,
+                rotation=rotation,
+                color=GREY,
+            )

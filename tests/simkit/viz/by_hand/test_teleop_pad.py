@@ -1,0 +1,263 @@
+from __future__ import annotations
+
+import gc
+import weakref
+from types import SimpleNamespace
+
+import pytest
+
+from simkit import SimkitError, Simulation, UnknownNameError
+from simkit.viz.by_hand import notebook_widgets
+from simkit.viz.by_hand.teleop_pad import TICK, TeleopPad
+
+
+class Waiting:
+    """Work that waits until it is told to go on."""
+
+    def __init__(self):
+        self.work = []
+        self.later = []
+
+    def soon(self, work):
+        self.work.append(work)
+
+    def after(self, seconds, work):
+        self.later.append((seconds, work))
+
+    def go(self):
+        work, self.work = self.work, []
+        for one in work:
+            one()
+
+    def wait(self):
+        """What should happen later happens now; how long it should have waited."""
+        later, self.later = self.later, []
+        for _, work in later:
+            work()
+        return [seconds for seconds, _ in later]
+
+
+@pytest.fixture
+def sim():
+    with Simulation(screen=None) as sim:
+        yield sim
+
+
+@pytest.fixture
+def turtle(sim):
+    sim.rosrun("turtlesim", "turtlesim_node")
+    sim.run(0.1)
+    return sim.turtlesim
+
+
+@pytest.fixture
+def waiting():
+    return Waiting()
+
+
+@pytest.fixture
+def pad(sim, waiting):
+    return TeleopPad(
+        sim.graph.create_node("/pad"),
+        "/turtle1/cmd_vel",
+        linear=2.0,
+        angular=1.5,
+        step=0.25,
+        run=sim.run,
+        later=waiting,
+    )
+
+
+class Window:
+    """The widgets of a pad, by what a person sees."""
+
+    def __init__(self, box):
+        arrows, _, linear, angular, self.status, self.message = box.children
+        self.buttons = {one.description: one for one in arrows.children if hasattr(one, "style")}
+        self.linear, self.angular = linear.children[0], angular.children[0]
+
+    def click(self, sign):
+        self.buttons[sign].click()
+
+
+@pytest.fixture
+def window(pad):
+    return Window(pad.widget)
+
+
+def pose(sim):
+    found = sim.latest("/turtle1/pose")
+    return found.x, found.y, found.theta
+
+
+@pytest.mark.parametrize(
+    ("key", "linear", "angular"),
+    [
+        ("up", 0.5, 0.0),
+        ("down", -0.5, 0.0),
+        ("left", 0.0, 1.0),
+        ("right", 0.0, -1.0),
+        ("stop", 0.0, 0.0),
+    ],
+)
+def test_a_key_publishes_its_velocity_once_and_takes_one_step(sim, key, linear, angular):
+    recording = sim.record({"/cmd_vel": "geometry_msgs/Twist"})
+    begin = sim.now
+    sim.teleop().press(key)
+    ((time, twist),) = recording["/cmd_vel"]
+    assert time == begin
+    assert (twist.linear.x, twist.angular.z) == (linear, angular)
+    assert "-0.0" not in str(twist)
+    assert (sim.now - begin).to_sec() == pytest.approx(0.2)
+
+
+def test_a_turtle_is_driven(sim, turtle):
+    pad = sim.teleop("turtle1/cmd_vel", 2.0, angular=2.0, step=0.5)
+    x, y, theta = pose(sim)
+    pad.press("up")
+    assert pose(sim) == pytest.approx((x + 1.0, y, theta), abs=0.07)
+    pad.press("left")
+    assert pose(sim)[2] == pytest.approx(theta + 1.0, abs=0.07)
+
+
+def test_a_key_that_is_none_is_refused(sim):
+    with pytest.raises(UnknownNameError, match="upp"):
+        sim.teleop().press("upp")
+
+
+@pytest.mark.parametrize("wrong", [{"linear": -1}, {"angular": float("nan")}, {"step": 1e9}])
+def test_numbers_that_make_no_sense_are_refused(sim, wrong):
+    with pytest.raises(SimkitError, match="of a teleop pad is a number from 0 to 1000"):
+        sim.teleop(**wrong)
+
+
+def test_a_click_waits_until_no_cell_runs(sim, turtle, window, waiting):
+    begin, (x, _, _) = sim.now, pose(sim)
+    window.click("↑")
+    assert sim.now == begin
+    waiting.go()
+    assert (sim.now - begin).to_sec() == pytest.approx(0.25)
+    assert pose(sim)[0] == pytest.approx(x + 0.5, abs=0.07)
+    assert window.message.layout.display == "none"
+
+
+def test_of_clicks_that_come_too_fast_the_last_one_counts(sim, turtle, window, waiting):
+    recording = sim.record(["/turtle1/cmd_vel"])
+    begin = sim.now
+    for sign in ("↑", "←", "↑", "↓"):
+        window.click(sign)
+    waiting.go()
+    ((_, twist),) = recording["/turtle1/cmd_vel"]
+    assert twist.linear.x == -2.0
+    assert (sim.now - begin).to_sec() == pytest.approx(0.25)
+
+
+def test_speeds_can_be_set(sim, turtle, window, waiting):
+    recording = sim.record(["/turtle1/cmd_vel"])
+    window.linear.value, window.angular.value = 0.7, 0.3
+    for sign in ("↑", "→"):
+        window.click(sign)
+        waiting.go()
+    said = [(twist.linear.x, twist.angular.z) for _, twist in recording["/turtle1/cmd_vel"]]
+    assert said == [(0.7, 0.0), (0.0, -0.3)]
+    assert "0 m/s, -0.3 rad/s" in window.status.value
+
+
+def test_while_run_is_on_time_passes_by_itself(sim, turtle, pad, window, waiting):
+    begin = sim.now
+    window.buttons["Run"].value = True
+    waiting.go()
+    assert pad.is_running
+    window.click("↑")
+    waiting.go()  # a press takes no time of its own then
+    assert (sim.now - begin).to_sec() == pytest.approx(TICK)
+    for _ in range(4):
+        assert waiting.wait() == [TICK]
+    assert (sim.now - begin).to_sec() == pytest.approx(5 * TICK)
+    window.buttons["Run"].value = False
+    waiting.wait()
+    assert (sim.now - begin).to_sec() == pytest.approx(5 * TICK)
+    assert waiting.wait() == []
+
+
+def test_on_and_off_and_on_again_runs_once(sim, turtle, window, waiting):
+    for value in (True, False, True):
+        window.buttons["Run"].value = value
+    waiting.go()
+    begin = sim.now
+    waiting.wait()
+    assert (sim.now - begin).to_sec() == pytest.approx(TICK)
+
+
+def test_who_drives_nobody_is_told_so(sim, turtle, waiting):
+    pad = TeleopPad(
+        sim.graph.create_node("/pad"),
+        "/cmd_vel",
+        linear=1,
+        angular=1,
+        step=0.1,
+        run=sim.run,
+        later=waiting,
+    )
+    window = Window(pad.widget)
+    window.click("↑")
+    waiting.go()
+    assert window.message.value == (
+        "No node listens to /cmd_vel; topics of geometry_msgs/Twist with listeners: /turtle1/cmd_vel."
+    )
+
+
+def test_an_end_of_the_simulation_is_told_and_stops_the_time(sim, turtle, pad, window, waiting):
+    window.buttons["Run"].value = True
+    sim.close()
+    waiting.go()
+    assert "this simulation is closed" in window.message.value
+    assert not pad.is_running
+
+
+def test_the_picture_of_a_turtlesim_is_beside_the_buttons_and_follows(sim, turtle, waiting):
+    pad = TeleopPad(
+        sim.graph.create_node("/pad"),
+        "/turtle1/cmd_vel",
+        linear=2,
+        angular=2,
+        step=0.5,
+        run=sim.run,
+        later=waiting,
+        view=turtle,
+    )
+    box, beside = pad.widget.children
+    waiting.wait()
+    before = beside.value
+    assert before.startswith("<svg")
+    Window(box).click("↑")
+    waiting.go()
+    assert waiting.wait() == [0.05]
+    assert beside.value != before
+
+
+def test_a_live_view_is_beside_the_buttons(sim):
+    pad = sim.teleop(view=sim.rviz(live=True))
+    _, beside = pad.widget.children
+    assert beside.value.startswith("<iframe")
+
+
+def test_without_a_kernel_it_is_a_text(sim, monkeypatch):
+    pad = sim.teleop("/turtle1/cmd_vel")
+    assert "/turtle1/cmd_vel" in repr(pad)
+    assert "pad.press(&#x27;up&#x27;)" in pad._repr_html_()
+    assert sorted(pad._repr_mimebundle_()) == ["text/html", "text/plain"]
+    monkeypatch.setattr(notebook_widgets, "running_notebook", SimpleNamespace)
+    assert "application/vnd.jupyter.widget-view+json" in pad._repr_mimebundle_()
+
+
+def test_a_pad_does_not_keep_its_simulation():
+    sim = Simulation(screen=None)
+    pad = sim.teleop()
+    gone = weakref.ref(sim)
+    sim.close()
+    del sim
+    gc.collect()
+    assert gone() is None
+    with pytest.raises(SimkitError, match="this simulation is gone"):
+        pad.press("up")
