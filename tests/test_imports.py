@@ -43,7 +43,7 @@ MAY_IMPORT = {
     "simkit.gazebo": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
     "simkit.urdf simkit.urdf.rules simkit.packages simkit.tools simkit.physics simkit.plugins",
     "simkit.seeing_world": "simkit.errors simkit.gazebo simkit.graph simkit.recording simkit.running "
-    "simkit.seeing simkit.viz",
+    "simkit.seeing simkit.viz simkit.viz.world",
     "simkit.plotting": "simkit.errors simkit.gazebo simkit.graph simkit.physics simkit.recording simkit.viz",
     "simkit.steering": "simkit.errors simkit.graph simkit.msgs simkit.viz",
     "simkit.simulating": "simkit.errors simkit.graph simkit.gazebo simkit.packages simkit.physics "

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import re
 import shlex
 from collections.abc import Callable
 from typing import Any
 
 from simkit.errors import SimkitError
 from simkit.notebook.lines import LINES, Line, LineError
+from simkit.packages import PackagePath
+
+_ROSPACK_FIND = re.compile(r"`\s*rospack\s+find\s+(\w+)\s*`|\$\(\s*rospack\s+find\s+(\w+)\s*\)")
+"What the book's command lines ask their shell for; the two ways to write it."
 
 
 def register(ipython: Any) -> None:
@@ -39,10 +44,15 @@ def _magic(name: str, line: Line) -> Callable[[str], None]:
 
 
 def _words(text: str) -> list[str]:
+    text = _ROSPACK_FIND.sub(_folder, text)
     try:
         return shlex.split(text)
     except ValueError as error:
         raise SimkitError(f"{text}: {error}; quotation marks come in pairs") from error
+
+
+def _folder(asked: re.Match[str]) -> str:
+    return shlex.quote(str(PackagePath().find(asked[1] or asked[2]).folder))
 
 
 def _in_one_line(text: str) -> str:

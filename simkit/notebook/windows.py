@@ -1,4 +1,4 @@
-"""What rviz shows, below the cell that has started it."""
+"""What rviz and gzclient show, below the cell that has started it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from simkit.simulation import Simulation
 
 
 def show_windows(sim: Simulation, nodes: Iterable[ScriptNode | RunningBuiltin]) -> None:
-    """Display the view of each node that is an rviz.
+    """Display the view of each node that is an rviz or a gzclient.
 
     Args:
         sim: The simulation.
