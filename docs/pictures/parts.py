@@ -18,7 +18,8 @@ SIMKIT = (
     (("cli, live", "simkit ... in a terminal, at the pace of the wall"),),
     (("simulation", "one clock, one graph, one TF buffer"),),
     (("viz", "RViz, and other pictures"), ("launch", "roslaunch XML")),
-    (("nodes", "turtlesim, state publishers, ..."),),
+    (("gazebo", "a world on that clock: spawn_model, /gazebo"),),
+    (("nodes", "turtlesim, ..."), ("plugins", "drives, laser, ros_control")),
     (("tools", "rostopic, ..."), ("tf", "fed by topics"), ("physics", "DART")),
     (("graph", "executor, topics, services, parameters; process"),),
 )
@@ -36,17 +37,17 @@ def draw() -> str:
         "The parts, and who may import whom",
         "Layers, from top to bottom. grader: cli and notebook; authoring and report; run; checks; "
         "sandbox, submission, exercises and results. simkit: cli and live; simulation; viz and launch; "
-        "nodes; tools, tf and physics; graph; urdf; msgs, the core of tf, xml and diagnostics. ros1 "
+        "gazebo; nodes and plugins; tools, tf and physics; graph; urdf; msgs, the core of tf, xml and diagnostics. ros1 "
         "lives in node processes and reaches the graph by its client.",
-        size=(960, 798),
+        size=(960, 842),
     )
     drawing.words((30, 36), "A part imports only from the layers below it.", size=15, bold=True)
     drawing.words((930, 36), "Along an arrow: only what it says.", color=MUTED, anchor="end")
     drawing.region(Area(30, 56, 900, 256), "grader", color=AMBER)
     _layers(drawing, GRADER, Area(50, 88, 860, 36))
-    drawing.region(Area(30, 360, 560, 414), "simkit, where the simulation runs", color=BLUE)
+    drawing.region(Area(30, 360, 560, 458), "simkit, where the simulation runs", color=BLUE)
     _layers(drawing, SIMKIT, Area(50, 392, 520, 36))
-    _layers(drawing, PURE, Area(50, 664, 520, 42), color=GREEN)
+    _layers(drawing, PURE, Area(50, 708, 520, 42), color=GREEN)
     drawing.arrow([(310, 312), (310, 358)])
     drawing.words((322, 340), "public names only", size=12, color=MUTED)
     _node_side(drawing)
