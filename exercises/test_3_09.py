@@ -105,14 +105,24 @@ def test_your_answers(submission):
     arm = SwingingArm()
     drop = arm.mass * arm.gravity * arm.lever
     for name, right, tolerance, hint in (
-        ("energy_at_the_bottom", drop, 0.02, "What the arm loses in height it gains in speed: m g l."),
+        (
+            "energy_at_the_bottom",
+            drop,
+            0.02,
+            "What the arm loses in height it gains in speed: m g l.",
+        ),
         (
             "small_period",
             2 * math.pi * math.sqrt(arm.inertia / drop),
             0.01,
             "The inertia counts about the shoulder: that about the middle, and m l^2 with l = 0.2 m.",
         ),
-        ("large_period", 1.2305, 0.012, "The hip must be held. The cell prints when the arm is back."),
+        (
+            "large_period",
+            1.2305,
+            0.012,
+            "The hip must be held. The cell prints when the arm is back.",
+        ),
     ):
         expect_close(
             given_answer(submission, name), right, tolerance=tolerance, what=name, hint=hint

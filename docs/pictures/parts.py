@@ -66,19 +66,19 @@ def _layers(drawing: Drawing, rows: Rows, first: Area, *, color: Color = PLAIN) 
 
 
 def _node_side(drawing: Drawing) -> None:
-    drawing.region(Area(690, 360, 240, 414), "in each node process", color=VIOLET)
+    drawing.region(Area(690, 360, 240, 458), "in each node process", color=VIOLET)
     drawing.box(
         Area(708, 394, 204, 56), "a student's script", lines=["real ROS 1 Python"], color=VIOLET
     )
     drawing.box(
-        Area(708, 574, 204, 106),
+        Area(708, 618, 204, 106),
         "ros1",
         lines=["rospy, tf,", "turtlesim.msg, std_srvs.srv, ..."],
     )
-    drawing.arrow([(810, 450), (810, 572)])
-    drawing.words((820, 516), "import rospy", size=12, color=MUTED)
-    drawing.arrow([(708, 630), (572, 630)])
-    drawing.words((640, 604), "client,", size=12, color=MUTED, anchor="middle")
-    drawing.words((640, 620), "protocol", size=12, color=MUTED, anchor="middle")
-    drawing.arrow([(810, 680), (810, 736), (572, 736)])
-    drawing.words((640, 755), "all of it", size=12, color=MUTED, anchor="middle")
+    drawing.arrow([(810, 450), (810, 616)])
+    drawing.words((820, 540), "import rospy", size=12, color=MUTED)
+    drawing.arrow([(708, 674), (572, 674)])
+    drawing.words((640, 648), "client,", size=12, color=MUTED, anchor="middle")
+    drawing.words((640, 664), "protocol", size=12, color=MUTED, anchor="middle")
+    drawing.arrow([(810, 724), (810, 780), (572, 780)])
+    drawing.words((640, 799), "all of it", size=12, color=MUTED, anchor="middle")
