@@ -68,7 +68,8 @@ def tags_of(parameters: type[Any]) -> dict[str, Tag]:
 def read_parameters(parameters: type[T], site: Site, *, speaker: str | None = None) -> T:
     """What the tag of a plugin says.
 
-    A tag that it does not read is named in a warning with the nearest one that it does.
+    A tag that it does not read is named in a warning with the nearest one that it does; not for a URDF, of which
+    check_urdf has said it already.
 
     Args:
         parameters: The parameter class of the plugin.
@@ -94,7 +95,8 @@ def read_parameters(parameters: type[T], site: Site, *, speaker: str | None = No
         elif speaker is not None:
             shown = _shown(field.default)
             site.node.warn(f"{speaker}: missing <{found.name}> default is {shown}")
-    _name_strangers(site, [one.name for one in known.values()])
+    if site.robot is None:
+        _name_strangers(site, [one.name for one in known.values()])
     return parameters(**values)
 
 
