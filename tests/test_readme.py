@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 TEXTS = [
     *("README.md", "CONTRIBUTING.md", "CONVENTIONS.md", "CHANGELOG.md"),
-    *("docs/architecture.md", "robots/README.md"),
+    *("docs/architecture.md", "docs/differences_from_gazebo.md", "robots/README.md"),
 ]
 PROGRAM_LINES = 15
 

@@ -19,6 +19,7 @@ from simkit.physics.sdf import SdfModel
 from simkit.plugins import Plugin, PluginEntry, Site, plugins
 from simkit.plugins.parameters import read_parameters
 from simkit.urdf import Robot
+from simkit.urdf.rules.plugin_words import NOT_HERE
 from simkit.xml import Element
 
 STEP_HOOKS = ("before_step", "after_step")
@@ -127,6 +128,11 @@ class Attachments:
         filename = (site.element.get("filename") or "").strip()
         known = plugins()
         entry = known.get(filename)
+        if filename in NOT_HERE:
+            self._node.warn(
+                f"{_place(site)}: {filename} is not simulated here; {site.model.name} is without it."
+            )
+            return None
         if entry is None:
             near = near_names(filename, known)
             hint = f" Did you mean {near[0]}?" if near else ""

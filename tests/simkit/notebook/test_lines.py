@@ -131,12 +131,25 @@ def test_rviz_is_shown_below_the_line_that_starts_it(cells):
     assert "rviz" not in shown[4].out
 
 
+@pytest.mark.parametrize("asked", ["`rospack find hello_ros`", "$(rospack find hello_ros)"])
+def test_a_line_may_ask_for_the_folder_of_a_package_as_in_a_shell(cells, asked):
+    shown = cells(
+        "open('hello_ros/robot.urdf', 'w').write('<robot name=\"r\"><link name=\"torso\"/></robot>') and None",
+        f"%check_urdf {asked}/robot.urdf",
+    )
+    assert "root Link: torso has 0 child(ren)" in shown[1].out
+
+
 @pytest.mark.parametrize(
     ("line", "text"),
     [
         (
+            "%check_urdf `rospack find helo_ros`/robot.urdf",
+            "%check_urdf: no package 'helo_ros'; did you mean 'hello_ros'?",
+        ),
+        (
             "%rosrun helo_ros talker.py",
-            "%rosrun: no package 'helo_ros'; did you mean 'hello_ros'? Known: hello_ros, ",
+            "%rosrun: no package 'helo_ros'; did you mean 'hello_ros'",
         ),
         (
             "%rosrun hello_ros talkr.py",
