@@ -5,61 +5,26 @@ Source: gazebo_ros `scripts/spawn_model`: options, texts, exit codes.
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final, NoReturn
+from typing import Any
 
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.gazebo.poses import pose_message
+from simkit.gazebo.spawn_arguments import USAGE, SpawnUsageError, read_arguments
 from simkit.graph import Node
 from simkit.msgs import Duration, service_class
 from simkit.packages import PackagePath
 from simkit.tools.program import Program
-from simkit.urdf import Pose
 from simkit.urdf.kinematics import pose_transform
 from simkit.xml import parse_xml
 
-USAGE: Final = (
-    "usage: spawn_model (-urdf | -sdf) (-file FILE | -param PARAMETER) -model NAME\n"
-    "                   [-x X] [-y Y] [-z Z] [-R ROLL] [-P PITCH] [-Y YAW] [-J JOINT POSITION]...\n"
-    "                   [-reference_frame FRAME] [-robot_namespace NS] [-gazebo_namespace NS]\n"
-    "                   [-unpause] [-wait MODEL] [-b]"
-)
 POLL = Duration.from_nsec(100_000_000)
 """How often it looks for what it waits for."""
 PATIENCE_NS = 5_000_000_000
 """After so long a wait it says what could be wrong."""
 SETTLE = Duration(1)
 """How long after the spawn it sets joints."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Request:
-    """What the command line asks for."""
-
-    is_urdf: bool
-    file: str | None
-    param: str | None
-    model: str
-    pose: Pose
-    joints: tuple[tuple[str, float], ...]
-    reference_frame: str
-    robot_namespace: str | None
-    gazebo: str
-    unpause: bool
-    wait: str | None
-    is_bound: bool
-
-
-class _Usage(SimkitError):
-    """A command line that cannot be."""
-
-
-class _Parser(argparse.ArgumentParser):
-    def error(self, message: str) -> NoReturn:
-        raise _Usage(message)
 
 
 class SpawnModel(Program):
@@ -78,8 +43,8 @@ class SpawnModel(Program):
         self._has_hinted = False
         self._timer: Any = None
         try:
-            self._request = _read(argv)
-        except _Usage as error:
+            self._request = read_arguments(argv)
+        except SpawnUsageError as error:
             self._print(f"{USAGE}\nspawn_model: error: {error}\n")
             self._exit(2)
             return
@@ -285,54 +250,3 @@ class SpawnModel(Program):
                 "no world runs, so nothing can be spawned: start one with "
                 "roslaunch gazebo_ros empty_world.launch (in Python: sim.gazebo), or include that file"
             )
-
-
-def _read(argv: list[str]) -> _Request:
-    parser = _Parser(add_help=False, allow_abbrev=False)
-    kind = parser.add_mutually_exclusive_group(required=True)
-    kind.add_argument("-urdf", action="store_true")
-    kind.add_argument("-sdf", action="store_true")
-    source = parser.add_mutually_exclusive_group(required=True)
-    source.add_argument("-file")
-    source.add_argument("-param")
-    source.add_argument("-database")
-    source.add_argument("-stdin", action="store_true")
-    parser.add_argument("-model", required=True)
-    for name in ("x", "y", "z", "R", "P", "Y"):
-        parser.add_argument(f"-{name}", type=float, default=0.0)
-    parser.add_argument("-J", dest="joints", nargs=2, action="append", default=[])
-    parser.add_argument("-reference_frame", default="")
-    parser.add_argument("-gazebo_namespace", default="/gazebo")
-    parser.add_argument("-robot_namespace")
-    parser.add_argument("-wait")
-    parser.add_argument("-unpause", action="store_true")
-    parser.add_argument("-package_to_model", action="store_true")
-    parser.add_argument("-b", action="store_true")
-    found = parser.parse_args(argv)
-    if found.database is not None or found.stdin:
-        raise _Usage(
-            "models come from -file or -param here; there is no database and no standard input"
-        )
-    return _Request(
-        is_urdf=found.urdf,
-        file=found.file,
-        param=found.param,
-        model=found.model,
-        pose=Pose(xyz=(found.x, found.y, found.z), rpy=(found.R, found.P, found.Y)),
-        joints=tuple(_joint(*pair) for pair in found.joints),
-        reference_frame=found.reference_frame,
-        robot_namespace=found.robot_namespace,
-        gazebo="/" + found.gazebo_namespace.strip("/"),
-        unpause=found.unpause,
-        wait=found.wait,
-        is_bound=found.b,
-    )
-
-
-def _joint(name: str, text: str) -> tuple[str, float]:
-    try:
-        return name, float(text)
-    except ValueError:
-        raise _Usage(
-            f"argument -J: {text!r} is no position of {name}: a number is needed"
-        ) from None
