@@ -88,7 +88,7 @@ def crate_of(student: str) -> CrateTask:
     x, y, z = rng.sample((0.26, 0.3, 0.34, 0.38, 0.42, 0.46), 3)
     return CrateTask(
         size=(x, y, z),
-        mass=rng.choice((0.6, 0.8, 1.2, 1.4, 1.6)),
+        mass=rng.choice((0.8, 1.2, 1.6, 2.2, 2.8)),
         x=rng.randrange(12, 21) / 10,
     )
 

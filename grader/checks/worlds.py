@@ -169,8 +169,17 @@ def inertia_of(link: Link, place: Place) -> Rotation:
         (one.ixy, one.iyy, one.iyz),
         (one.ixz, one.iyz, one.izz),
     )
-    turn = times(place.turn, rotation_of(*one.origin.rpy))
-    return times(turn, times(written, back(turn)))
+    return turned_inertia(written, times(place.turn, rotation_of(*one.origin.rpy)))
+
+
+def turned_inertia(tensor: Rotation, turn: Rotation) -> Rotation:
+    """An inertia in other axes [kg m^2].
+
+    Args:
+        tensor: Its rows, in the axes of a body.
+        turn: These axes, as columns, in the axes that it is wanted in.
+    """
+    return times(turn, times(tensor, back(turn)))
 
 
 def loads(gazebo: Gazebo, model: str) -> dict[str, float]:

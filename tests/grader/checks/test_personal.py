@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from grader.checks.personal import base_of, name_of
+from grader.checks.personal import base_of, crate_of, name_of
 from grader.errors import CheckFailed
 from grader.submission import Submission
 
@@ -26,6 +26,21 @@ def test_any_name_gives_a_base_that_is_not_the_books(name):
     assert (task.radius, task.length) != (0.1, 0.05)
     assert all(0.0 <= part <= 1.0 for part in task.rgba)
     assert f"radius {task.radius:g} m" in repr(task)
+
+
+@given(st.text())
+def test_any_name_gives_a_crate_with_three_different_sides(name):
+    task = crate_of(name)
+    assert task == crate_of(f" {name} ")
+    assert len(set(task.size)) == 3
+    assert 1.0 < task.x <= 2.0
+    # The practice car, 0.3 m long ahead of its origin, does not stand in it.
+    assert task.x - task.size[0] / 2 > 0.3
+    assert f"{task.mass:g} kg" in repr(task)
+
+
+def test_other_names_give_other_crates():
+    assert len({repr(crate_of(f"student {number}")) for number in range(100)}) > 80
 
 
 def submission(**answers) -> Submission:

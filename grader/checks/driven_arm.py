@@ -1,0 +1,181 @@
+"""A robot that a trajectory controller drives: started by a launch file, told where to go, and looked at."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from grader.checks.expect import expect_close
+from grader.checks.worlds import started_world
+from grader.errors import CheckFailed
+from simkit import Simulation
+from simkit.graph import LogLevel
+from simkit.physics import Model
+
+CONTROLLER = "arm_controller"
+COMMAND = f"/{CONTROLLER}/command"
+"""The topic on which the controller is told where to go."""
+_LIST = "/controller_manager/list_controllers"
+_START = 0.4
+"""Time in which a launch file brings robot and controller [s]."""
+
+_NEAR = 3
+"""The hint to an error is among so many lines behind it."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DrivenArm:
+    """A robot in a world, with a controller that runs."""
+
+    sim: Simulation
+    model: Model
+    joints: tuple[str, ...]
+    """Those that the controller moves, sorted."""
+
+    def at(self, *joints: str) -> tuple[float, ...]:
+        """Where joints are now [rad].
+
+        Raises:
+            CheckFailed: The robot in the world has no such joint.
+        """
+        for name in joints:
+            if name not in self.model.joints:
+                raise CheckFailed(
+                    f"the robot in the world has no joint {name}",
+                    expected=f"a joint named {name}",
+                    actual=", ".join(sorted(self.model.joints)) or "no joint",
+                    hint="A link without mass is left out of the world, and its joint with it.",
+                )
+        return tuple(self.model.joint(name).position for name in joints)
+
+    def command(
+        self, *points: tuple[float, Mapping[str, float]], order: Sequence[str] | None = None
+    ) -> None:
+        """Send a trajectory; joints that a point does not name stay where they are.
+
+        Args:
+            *points: For each point its time [s], and where joints shall be then [rad].
+            order: The order in which the joints are named; their own if None.
+        """
+        names = list(order or self.joints)
+        here = dict(zip(names, self.at(*names), strict=True))
+        rows = [
+            {
+                "positions": [{**here, **goals}[name] for name in names],
+                "time_from_start": {"secs": int(time), "nsecs": round(time % 1 * 1e9)},
+            }
+            for time, goals in points
+        ]
+        message = {"joint_names": names, "points": rows}
+        node = self.sim.rostopic_pub(COMMAND, "trajectory_msgs/JointTrajectory", message)
+        self.sim.run(0.001)
+        node.shutdown()
+
+    def expect_at(self, goals: Mapping[str, float], *, when: str, hint: str) -> None:
+        """Expect joints to be at angles [rad].
+
+        Raises:
+            CheckFailed: They are elsewhere; tells what the controller said.
+        """
+        for name, goal in goals.items():
+            (position,) = self.at(name)
+            try:
+                expect_close(
+                    position,
+                    goal,
+                    tolerance=0.01,
+                    what=f"the angle of {name} {when}",
+                    unit="rad",
+                    hint=hint,
+                )
+            except CheckFailed as failure:
+                raise with_complaint(failure, self.sim) from None
+
+
+def started_arm(
+    sim: Simulation, roslaunch: Callable[..., Any], file: str, *, model: str, joints: Sequence[str]
+) -> DrivenArm:
+    """The robot that a student's launch file brings, with its controller.
+
+    Args:
+        sim: The simulation of the check.
+        roslaunch: The fixture.
+        file: Name of the launch file.
+        model: Name of the robot in the world.
+        joints: What its controller must move, among others.
+
+    Raises:
+        CheckFailed: There is no such robot, or no such controller runs.
+    """
+    gazebo = started_world(sim, roslaunch, file)
+    sim.run(_START)
+    if model not in gazebo.spawned:
+        others = ", ".join(name for name in gazebo.spawned if name != "ground_plane") or "nothing"
+        failure = CheckFailed(
+            f"{model} is not in the world; beside the ground there is: {others}",
+            hint="spawn_model needs -urdf, -param with the name of the parameter, and -model with the name in the "
+            "world.",
+        )
+        raise with_complaint(failure, sim)
+    moved = _require_controller(sim)
+    for name in joints:
+        if name not in moved:
+            raise CheckFailed(
+                f"{CONTROLLER} does not move {name}",
+                expected=f"{name} among its joints",
+                actual=", ".join(moved) or "no joint",
+                hint="The YAML file lists the joints that the controller moves. The launch file must load it: "
+                '<rosparam file="..." command="load"/>.',
+            )
+    return DrivenArm(sim=sim, model=gazebo.spawned[model].model, joints=moved)
+
+
+def with_complaint(failure: CheckFailed, sim: Simulation) -> CheckFailed:
+    """The failure, with the first thing that Gazebo or a controller's spawner found wrong below it."""
+    said = complaint(sim)
+    if not said:
+        return failure
+    return CheckFailed(
+        f"{failure.message}\nits log says: {said}",
+        expected=failure.expected,
+        actual=failure.actual,
+        hint=failure.hint,
+    )
+
+
+def complaint(sim: Simulation) -> str:
+    """The first error on rosout, with the hint that follows it; the first refusal of a warning else; or nothing."""
+    records = [one for one in sim.log if one.node != "/simkit"]
+    for number, record in enumerate(records):
+        is_refusal = record.level == LogLevel.WARN and "Dropping all" in record.text
+        if record.level < LogLevel.ERROR and not is_refusal:
+            continue
+        following = records[number + 1 : number + 1 + _NEAR]
+        hints = [one.text for one in following if one.text.startswith("hint: ")]
+        return " ".join(" ".join([record.text, *hints[:1]]).split())
+    return ""
+
+
+def _require_controller(sim: Simulation) -> tuple[str, ...]:
+    """The joints of the controller, sorted."""
+    if _LIST not in sim.services():
+        failure = CheckFailed(
+            "nothing in the world takes controllers: there is no service /controller_manager/list_controllers",
+            hint="The plugin libgazebo_ros_control.so in the URDF brings the controller manager. Leave its "
+            "<robotNamespace> out.",
+        )
+        raise with_complaint(failure, sim)
+    found = {one.name: one for one in sim.call(_LIST).controller}
+    if CONTROLLER not in found or found[CONTROLLER].state != "running":
+        states = ", ".join(f"{one.name} ({one.state})" for one in found.values())
+        failure = CheckFailed(
+            f"the controller {CONTROLLER} does not run",
+            expected=f"{CONTROLLER} (running)",
+            actual=states or "no controller",
+            hint="Its name in the YAML file and in the args of the spawner must be the same; each of its joints needs "
+            "a transmission, with the interface that its type wants.",
+        )
+        raise with_complaint(failure, sim)
+    claims = found[CONTROLLER].claimed_resources
+    return tuple(sorted({name for claim in claims for name in claim.resources}))
