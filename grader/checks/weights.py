@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from grader.checks.expect import expect_close
 from grader.checks.robots import link_of, only_visual
-from grader.checks.rotations import rotation_of
+from grader.checks.rotations import Rotation, rotation_of
+from grader.checks.worlds import turned_inertia
 from grader.errors import CheckFailed
 from simkit.urdf import Collision, Cylinder, Inertial, Robot
 
@@ -108,23 +109,11 @@ def _expect_place(collision: Collision, xyz: tuple[float, float, float], link: s
     )
 
 
-def _tensor(inertial: Inertial) -> tuple[tuple[float, ...], ...]:
-    """The inertia in the axes of the link: R I R^T."""
-    turn = rotation_of(*inertial.origin.rpy)
+def _tensor(inertial: Inertial) -> Rotation:
+    """The inertia in the axes of the link."""
     own = (
         (inertial.ixx, inertial.ixy, inertial.ixz),
         (inertial.ixy, inertial.iyy, inertial.iyz),
         (inertial.ixz, inertial.iyz, inertial.izz),
     )
-    turned = _product(turn, own)
-    return _product(turned, tuple(zip(*turn, strict=True)))
-
-
-def _product(
-    left: tuple[tuple[float, ...], ...], right: tuple[tuple[float, ...], ...]
-) -> tuple[tuple[float, ...], ...]:
-    columns = tuple(zip(*right, strict=True))
-    return tuple(
-        tuple(sum(a * b for a, b in zip(row, column, strict=True)) for column in columns)
-        for row in left
-    )
+    return turned_inertia(own, rotation_of(*inertial.origin.rpy))
