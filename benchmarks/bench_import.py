@@ -29,7 +29,7 @@ COLD: dict[str, tuple[list[str], float | None]] = {
 def run_once(arguments: list[str]) -> float:
     """Wall time of one process [ms]."""
     start = time.perf_counter()
-    subprocess.run([sys.executable, *arguments], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([sys.executable, *arguments], check=True, capture_output=True)
     return (time.perf_counter() - start) * 1e3
 
 

@@ -81,7 +81,7 @@ class TimeCache:
         if not stamps:
             return None
         newest = stamps[-1]
-        if time in (newest, LATEST):
+        if time == newest or time == LATEST:  # noqa: SIM109 - a tuple to look in takes longer
             return self._edges[-1]
         if time > newest or time < stamps[0]:
             return None

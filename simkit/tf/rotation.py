@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from math import acos, sin, sqrt  # by name: slerp is in the path of every lookup
 
 from simkit.tf.transform import Quaternion, Transform, Vector
 
@@ -68,16 +69,16 @@ def slerp(q0: Quaternion, q1: Quaternion, ratio: float) -> Quaternion:
     x0, y0, z0, w0 = q0
     x1, y1, z1, w1 = q1
     dot = x0 * x1 + y0 * y1 + z0 * z1 + w0 * w1
-    norms = math.sqrt(
+    norms = sqrt(
         (x0 * x0 + y0 * y0 + z0 * z0 + w0 * w0) * (x1 * x1 + y1 * y1 + z1 * z1 + w1 * w1)
     )
     cosine = abs(dot) / norms
     if cosine >= 1.0:
         return q0
-    angle = math.acos(cosine)
-    sine = math.sin(angle)
-    a = math.sin((1.0 - ratio) * angle) / sine
-    b = math.sin(ratio * angle) / sine
+    angle = acos(cosine)
+    sine = sin(angle)
+    a = sin((1.0 - ratio) * angle) / sine
+    b = sin(ratio * angle) / sine
     if dot < 0.0:
         b = -b
     return (a * x0 + b * x1, a * y0 + b * y1, a * z0 + b * z1, a * w0 + b * w1)
