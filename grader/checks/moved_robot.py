@@ -28,6 +28,7 @@ class MovedRobot:
     def __init__(self, sim: Simulation, robot: Robot, text: str) -> None:
         self._sim = sim
         self._robot = robot
+        self._angles: dict[str, float] = {}
         sim.params.set("/robot_description", text)
         sim.rosrun("robot_state_publisher", "robot_state_publisher")
         sim.run(_SETTLE)
@@ -40,10 +41,12 @@ class MovedRobot:
         """
         for name in angles:
             require_joint(self._robot, name)
+        # All of them, also those that stay: tf answers for a time at which it knows of each joint on the way.
+        self._angles.update(angles)
         message = {
             "header": "auto",
-            "name": list(angles),
-            "position": list(angles.values()),
+            "name": list(self._angles),
+            "position": list(self._angles.values()),
         }
         node = self._sim.rostopic_pub("/joint_states", "sensor_msgs/JointState", message)
         self._sim.run(_SETTLE)
