@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from matplotlib.image import imread
 
 ROOT = Path(__file__).resolve().parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -29,12 +30,25 @@ def python(*arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
 
 
 def test_the_program_prints_what_readme_shows_and_draws_its_picture(tmp_path: Path) -> None:
-    (program,), (shown, _) = blocks("python"), blocks("text")
+    program, shown = blocks("python")[0], blocks("text")[0]
     assert len(program.splitlines()) <= PROGRAM_LINES
     done = python("-W", "error", "-c", program, folder=tmp_path)
     assert (done.stdout, done.stderr) == (shown, "")
     drawn = (tmp_path / "turtles.svg").read_bytes()
     assert drawn == (ROOT / "docs/pictures/turtles.svg").read_bytes()
+
+
+def test_the_robot_goes_where_readme_says_and_looks_as_its_picture(tmp_path: Path) -> None:
+    (tmp_path / "robots").symlink_to(ROOT / "robots")
+    program, shown = blocks("python")[1], blocks("text")[2]
+    assert len(program.splitlines()) <= PROGRAM_LINES
+    done = python("-W", "error", "-c", program, folder=tmp_path)
+    assert (done.stdout, done.stderr) == (shown, "")
+    assert (tmp_path / "drive.html").read_text(encoding="utf-8").startswith("<!doctype html>")
+    # Another processor may round in another way: pixels at an edge may differ.
+    drawn, kept = imread(tmp_path / "world.png"), imread(ROOT / "docs/pictures/world.png")
+    assert drawn.shape == kept.shape
+    assert float(abs(drawn - kept).mean()) < 0.01
 
 
 FAULTY_ARM = """\
