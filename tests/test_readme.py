@@ -44,7 +44,7 @@ def test_the_robot_goes_where_readme_says_and_looks_as_its_picture(tmp_path: Pat
     assert len(program.splitlines()) <= PROGRAM_LINES
     done = python("-W", "error", "-c", program, folder=tmp_path)
     assert (done.stdout, done.stderr) == (shown, "")
-    assert (tmp_path / "drive.html").read_text(encoding="utf-8").startswith("<!doctype html>")
+    assert (tmp_path / "drive.html").read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
     # Another processor may round in another way: pixels at an edge may differ.
     drawn, kept = imread(tmp_path / "world.png"), imread(ROOT / "docs/pictures/world.png")
     assert drawn.shape == kept.shape

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from typing import NamedTuple
 
 from grader.checks.rotations import Point
@@ -140,7 +141,15 @@ def lowest_point(robot: Robot, model: Model) -> float:
     return min(heights, default=model.pose.translation[2])
 
 
-def expect_ball(robot: Robot, model: Model, *, link: str, radius: float, centre: Point) -> None:
+def expect_ball(
+    robot: Robot,
+    model: Model,
+    *,
+    radius: float,
+    link: str,
+    centre: Point,
+    wheels: Collection[str],
+) -> None:
     """Expect the robot to stand on one ball, at a place of a link, with that radius [m].
 
     The robot stands upright on the floor and looks along x.
@@ -148,9 +157,10 @@ def expect_ball(robot: Robot, model: Model, *, link: str, radius: float, centre:
     Args:
         robot: The robot, as it was read.
         model: The same in the world.
-        link: The link whose frame counts.
         radius: [m].
+        link: The link whose frame counts.
         centre: Middle of the ball in that frame [m].
+        wheels: Links that do not count; wheels may be balls as well.
 
     Raises:
         CheckFailed: No ball is on the floor, more than one, or it is elsewhere.
@@ -158,7 +168,7 @@ def expect_ball(robot: Robot, model: Model, *, link: str, radius: float, centre:
     origin = place_of(model, link).origin
     balls = [
         (solid.size[0] / 2, *(c - o for c, o in zip(solid.centre, origin, strict=True)))
-        for solid in touched_solids(robot, model)
+        for solid in touched_solids(robot, model, without=wheels)
         if solid.kind == "sphere" and solid.centre[2] - solid.size[2] / 2 < _NEAR_FLOOR
     ]
     wanted = (radius, *centre)
@@ -174,11 +184,11 @@ def expect_ball(robot: Robot, model: Model, *, link: str, radius: float, centre:
     )
 
 
-def touched_solids(robot: Robot, model: Model) -> list[Solid]:
-    """The collision shapes of a robot, as they stand in the world."""
+def touched_solids(robot: Robot, model: Model, *, without: Collection[str] = ()) -> list[Solid]:
+    """The collision shapes of a robot, as they stand in the world, but for those of some links."""
     return [
         solid_of(shape, place_of(model, link.name))
         for link in robot.links.values()
-        if link.name in model.links
+        if link.name in model.links and link.name not in without
         for shape in link.collisions
     ]
