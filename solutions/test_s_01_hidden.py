@@ -1,0 +1,70 @@
+"""Exercise S.1, hidden checks: a curve, and what odometry says of it."""
+
+import math
+
+import pytest
+
+from grader.checks import after, expect, expect_close, expect_close_angle, points
+from grader.checks.driven_robot import DrivenRobot, Stand, heading_of
+from grader.checks.robots import RobotFiles
+
+ROBOT = "m2wr.urdf"
+WHEELS = ("link_left_wheel", "link_right_wheel")
+
+
+@pytest.fixture
+def robot(sim, exercise, submission, package_path):
+    """The student's robot on the floor of an empty world."""
+    robots = RobotFiles(exercise, submission, package_path)
+    return DrivenRobot(sim, robots.robot(ROBOT), robots.text(ROBOT), name="m2wr")
+
+
+@points(1)
+@after("test_it_drives_straight_on", "test_left_is_left")
+def test_odometry_follows_a_curve(sim, robot):
+    """On a curve to the right the robot turns as told, and /odom and tf say where it went."""
+    sim.run(0.2)
+    begun = _odometry(sim)
+    start, axle = robot.stand, robot.axle(*WHEELS)
+    moved = robot.drive(0.3, -0.5, settle=0.5, seconds=1.5)
+    expect_close_angle(
+        moved.heading,
+        -0.75,
+        tolerance=0.125,  # a wheel may turn about either edge
+        what="how far it turned in 1.5 s at -0.5 rad/s",
+        hint="It drives and turns at once: does one of the wheels slip, and is <wheelSeparation> their distance?",
+    )
+    robot.command(0.0, 0.0)
+    sim.run(0.3)
+    told = _odometry(sim).seen_from(begun)
+    # What the wheels rolled is the way of their middle, which odometry then takes for that of the robot.
+    ways = (robot.stand.seen_from(start), robot.axle(*WHEELS).seen_from(axle))
+    there = min(ways, key=lambda way: math.dist(way[:2], told[:2]))
+    expect_close(
+        (told.x, told.y),
+        (there.x, there.y),
+        tolerance=0.05,
+        what="how far /odom says that it came, ahead and to the left",
+        unit="m",
+        hint="Odometry from the wheels believes <wheelDiameter> and <wheelSeparation>.",
+    )
+    expect_close_angle(
+        told.heading,
+        there.heading,
+        tolerance=math.radians(8),
+        what="how far /odom says that it turned",
+        hint="Odometry from the wheels believes <wheelSeparation>.",
+    )
+    frame = sim.latest("/odom").child_frame_id
+    expect(
+        sim.tf.can_transform("odom", frame),
+        f"tf does not know {frame}, seen from odom",
+        hint="<odometryFrame> and <robotBaseFrame> say which frames the plugin broadcasts, <publishTf> whether it does.",
+    )
+
+
+def _odometry(sim):
+    """Where /odom says that the robot is."""
+    pose = sim.wait_for_message("/odom", 1.0).pose.pose
+    q = pose.orientation
+    return Stand(pose.position.x, pose.position.y, heading_of((q.x, q.y, q.z, q.w)))
