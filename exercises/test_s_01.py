@@ -22,8 +22,8 @@ LAUNCH = "spawn_urdf.launch"
 SCRIPT = "corner.py"
 MODEL = "m2wr"
 WHEELS = ("link_left_wheel", "link_right_wheel")
-SLACK = 0.1
-"""By which a turn rate of 0.6 may be off [rad/s]: a wheel touches the floor at both edges, and may turn about either."""
+SLACK = 0.02
+"""By which a turn rate of 0.6 may be off [rad/s]."""
 SCAN = "/m2wr/laser/scan"
 WALL = """
 <sdf version="1.6"><model name="wall"><static>true</static><link name="link">

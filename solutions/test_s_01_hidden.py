@@ -30,7 +30,7 @@ def test_odometry_follows_a_curve(sim, robot):
     expect_close_angle(
         moved.heading,
         -0.75,
-        tolerance=0.125,  # a wheel may turn about either edge
+        tolerance=0.03,
         what="how far it turned in 1.5 s at -0.5 rad/s",
         hint="It drives and turns at once: does one of the wheels slip, and is <wheelSeparation> their distance?",
     )

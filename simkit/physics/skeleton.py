@@ -12,6 +12,7 @@ import numpy as np
 from simkit.physics.engine import dart
 from simkit.physics.plan import BodyPlan, JointKind, JointPlan, ModelPlan, Plane, ShapePlan, Solid
 from simkit.physics.poses import isometry
+from simkit.physics.treads import contact_solid
 from simkit.urdf.frame import Frame
 from simkit.urdf.model import Box, Cylinder, Sphere
 
@@ -62,7 +63,8 @@ def build(plan: ModelPlan, *, name: str, pose: Frame) -> Built:
         bodies[planned.child], joints[planned.name] = body, joint
         for number, shape in enumerate(plan.bodies[planned.child].shapes):
             label = f"{name}::{planned.child}::{number}"
-            shapes[label] = (_add_shape(body, shape, label), shape)
+            solid = contact_solid(shape, planned)
+            shapes[label] = (_add_shape(body, shape, solid, label), shape)
     skeleton.setMobile(not plan.is_static)
     _choose_collisions(skeleton, plan)
     return Built(skeleton=skeleton, bodies=bodies, joints=joints, shapes=shapes)
@@ -101,8 +103,8 @@ def _set_up(joint: Any, plan: JointPlan) -> None:
     joint.setRestPosition(0, plan.rest)
 
 
-def _add_shape(body: Any, plan: ShapePlan, label: str) -> Any:
-    node = body.createShapeNode(_engine_shape(plan.solid), label)
+def _add_shape(body: Any, plan: ShapePlan, solid: Solid, label: str) -> Any:
+    node = body.createShapeNode(_engine_shape(solid), label)
     node.setRelativeTransform(isometry(plan.frame))
     node.createCollisionAspect()
     node.createDynamicsAspect()

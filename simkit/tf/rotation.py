@@ -69,9 +69,7 @@ def slerp(q0: Quaternion, q1: Quaternion, ratio: float) -> Quaternion:
     x0, y0, z0, w0 = q0
     x1, y1, z1, w1 = q1
     dot = x0 * x1 + y0 * y1 + z0 * z1 + w0 * w1
-    norms = sqrt(
-        (x0 * x0 + y0 * y0 + z0 * z0 + w0 * w0) * (x1 * x1 + y1 * y1 + z1 * z1 + w1 * w1)
-    )
+    norms = sqrt((x0 * x0 + y0 * y0 + z0 * z0 + w0 * w0) * (x1 * x1 + y1 * y1 + z1 * z1 + w1 * w1))
     cosine = abs(dot) / norms
     if cosine >= 1.0:
         return q0

@@ -1,6 +1,7 @@
 """Command lines: in this process where it is enough, in one of their own where it matters."""
 
 import os
+import signal
 import subprocess
 import sys
 
@@ -40,6 +41,8 @@ def begin(tmp_path):
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
+            # Tests that run in the background of a shell ignore Ctrl-C, and so would this one.
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
         )
         processes.append(process)
         return process
