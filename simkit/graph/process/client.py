@@ -10,13 +10,13 @@ import contextlib
 import os
 import socket
 import sys
-from collections import deque
 from collections.abc import Callable, Iterator
 from typing import Any
 
 from simkit.graph.process import errors, protocol
 from simkit.graph.process.protocol import Op, Outbox
 from simkit.graph.process.scheduler import Scheduler, Task
+from simkit.graph.process.worker import Worker
 
 MILLISECOND = 1_000_000
 FREE_CLOCK_READS = 50
@@ -31,41 +31,6 @@ _preloading = False
 
 class Refused(Exception):
     """The graph refused a request; the text is a sentence for the student."""
-
-
-class _Worker:
-    """Runs the callbacks of one subscription or service in order, in a task of its own."""
-
-    def __init__(self, scheduler: Scheduler, name: str, queue_size: int | None = None) -> None:
-        self._scheduler = scheduler
-        self._name = name
-        self._task: Task | None = None
-        self._idle = False
-        # A full queue loses its oldest message while a callback sleeps, as rospy's does.
-        self._jobs: deque[Callable[[], None]] = deque(maxlen=queue_size or None)
-
-    def add(self, job: Callable[[], None]) -> None:
-        self._jobs.append(job)
-        if self._task is None:
-            self._task = self._scheduler.start(self._run, self._name)
-        elif self._idle:
-            self._scheduler.make_ready(self._task)
-
-    def _run(self) -> None:
-        while True:
-            while self._jobs:
-                self._run_one(self._jobs.popleft())
-            self._idle = True
-            self._scheduler.block()
-            self._idle = False
-
-    def _run_one(self, job: Callable[[], None]) -> None:
-        try:
-            job()
-        except Exception as error:
-            # rospy catches what a callback raises; what comes here is a fault of ours, and must not end the thread
-            errors.print_traceback(error, sys.stderr)
-            current().report_fault(error)
 
 
 class NodeClient:
@@ -87,8 +52,8 @@ class NodeClient:
         self._next_call = 0
         self._results: dict[int, tuple[bool, bytes]] = {}
         self._calling: dict[int, Task] = {}
-        self._sinks: dict[int, tuple[_Worker, Callable[[bytes, str], None]]] = {}
-        self._handlers: dict[int, tuple[_Worker, Callable[[bytes, str], tuple[bool, bytes]]]] = {}
+        self._sinks: dict[int, tuple[Worker, Callable[[bytes, str], None]]] = {}
+        self._handlers: dict[int, tuple[Worker, Callable[[bytes, str], tuple[bool, bytes]]]] = {}
         self.shutdown_reason: str | None = None
         self.on_shutdown: Callable[[str], None] = self.request_shutdown
         self._told_to_end = False
@@ -162,12 +127,15 @@ class NodeClient:
         number = int(
             self.ask(Op.SUBSCRIBE, topic=topic, type=type_name, queue_size=queue_size)["id"]
         )
-        self._sinks[number] = (_Worker(self.scheduler, f"callbacks of {topic}", queue_size), sink)
+        worker = Worker(self.scheduler, f"callbacks of {topic}", self.report_fault, queue_size)
+        self._sinks[number] = (worker, sink)
         return number
 
     def unsubscribe(self, subscription_id: int) -> None:
         """End a subscription; what is on its way is dropped."""
-        self._sinks.pop(subscription_id, None)
+        if subscription_id in self._sinks:
+            worker, _ = self._sinks.pop(subscription_id)
+            worker.close(drop=True)
         self._outbox.add(Op.UNSUBSCRIBE, protocol.pack_id(subscription_id))
 
     def offer_service(
@@ -175,12 +143,15 @@ class NodeClient:
     ) -> int:
         """A service's id; `handler` takes a request and the caller, gives (success, answer)."""
         number = int(self.ask(Op.OFFER_SERVICE, service=service, type=type_name)["id"])
-        self._handlers[number] = (_Worker(self.scheduler, f"calls of {service}"), handler)
+        worker = Worker(self.scheduler, f"calls of {service}", self.report_fault)
+        self._handlers[number] = (worker, handler)
         return number
 
     def withdraw_service(self, service_id: int) -> None:
-        """End a service."""
-        self._handlers.pop(service_id, None)
+        """End a service; calls that have come are answered still."""
+        if service_id in self._handlers:
+            worker, _ = self._handlers.pop(service_id)
+            worker.close(drop=False)
         self._outbox.add(Op.WITHDRAW_SERVICE, protocol.pack_id(service_id))
 
     def call_service(self, service: str, request: bytes) -> tuple[bool, bytes]:

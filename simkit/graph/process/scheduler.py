@@ -108,6 +108,9 @@ class Scheduler:
         finally:
             self._idents.discard(_thread.get_ident())
             task.done = True
+            if task.ready:
+                # Made so while it ran, as by a shutdown, which wakes everybody: nobody is left to take its turn.
+                self._ready.remove(task)
             for waiter in task.waiters:
                 self.make_ready(waiter)
             self._pick().gate.release()

@@ -1,4 +1,4 @@
-"""Fake node processes: somebody at the other end of the line who need not be a node at all."""
+"""Fakes: a node process that need not be one at all, and a graph that is nothing but a clock."""
 
 import contextlib
 import os
@@ -11,6 +11,7 @@ import pytest
 from simkit.graph import Executor, Graph
 from simkit.graph.names import CommandLine
 from simkit.graph.process import NodeLimits, Permissions, ScriptNode, StartSpec
+from simkit.graph.process.scheduler import Scheduler
 from simkit.graph.process.start import StartedProcess, Starter
 from simkit.msgs import message_class
 
@@ -124,3 +125,38 @@ def make_stage():
 @pytest.fixture
 def stage(make_stage):
     return make_stage()
+
+
+class Clock:
+    """What the graph is to a scheduler: it answers a wait with the time waited for."""
+
+    def __init__(self):
+        self.now_ns = 0
+        self.waits = []
+        self.on_wait = None
+        self.scheduler = Scheduler(self.exchange, lambda: self.now_ns)
+
+    def exchange(self, wake_ns):
+        self.waits.append(wake_ns)
+        if self.on_wait is not None:
+            self.on_wait()
+        elif wake_ns is None:
+            raise RuntimeError("everybody waits for ever")
+        if wake_ns is not None:
+            self.now_ns = max(self.now_ns, wake_ns)
+
+    def sleep(self, duration_ns):
+        end = self.now_ns + duration_ns
+        while self.now_ns < end:
+            self.scheduler.block(end)
+
+
+@pytest.fixture
+def make_clock():
+    """A function that makes a clock with a scheduler of its own; the test is its main task."""
+    return Clock
+
+
+@pytest.fixture
+def clock():
+    return Clock()

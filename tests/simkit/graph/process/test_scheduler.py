@@ -2,37 +2,7 @@
 
 import pytest
 
-from simkit.graph.process.scheduler import Scheduler
 from simkit.graph.process.virtual_threads import VirtualLock
-
-
-class Clock:
-    """What the graph is to a scheduler: it answers a wait with the time waited for."""
-
-    def __init__(self):
-        self.now_ns = 0
-        self.waits = []
-        self.on_wait = None
-        self.scheduler = Scheduler(self.exchange, lambda: self.now_ns)
-
-    def exchange(self, wake_ns):
-        self.waits.append(wake_ns)
-        if self.on_wait is not None:
-            self.on_wait()
-        elif wake_ns is None:
-            raise RuntimeError("everybody waits for ever")
-        if wake_ns is not None:
-            self.now_ns = max(self.now_ns, wake_ns)
-
-    def sleep(self, duration_ns):
-        end = self.now_ns + duration_ns
-        while self.now_ns < end:
-            self.scheduler.block(end)
-
-
-@pytest.fixture
-def clock():
-    return Clock()
 
 
 def test_a_sleep_asks_for_its_time_once(clock):
@@ -50,9 +20,9 @@ def test_a_new_task_runs_first_when_the_running_one_blocks(clock):
     assert task.done
 
 
-def test_tasks_interleave_by_their_sleeps_the_same_each_time():
+def test_tasks_interleave_by_their_sleeps_the_same_each_time(make_clock):
     def run():
-        clock, seen = Clock(), []
+        clock, seen = make_clock(), []
 
         def work(name, period):
             for _ in range(4):
