@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from simkit.errors import SimkitError
-from simkit.gazebo.poses import pose_message, twist_message
+from simkit.gazebo.poses import placement_of, pose_message, twist_message, vector_of
 from simkit.gazebo.server import Gazebo
 from simkit.gazebo.services.service import Service, link_of
-from simkit.gazebo.turning import turned_back
+from simkit.gazebo.turning import turned, turned_back
 from simkit.physics import ORIGIN
 from simkit.urdf.kinematics import Placement, compose, inverse
 
@@ -43,7 +43,26 @@ def services(gazebo: Gazebo) -> list[Service]:
         response.izz = tensor[2][2]
         return "GetLinkProperties: got properties"
 
+    def set_state(request: Any, _response: Any) -> str:
+        state = request.link_state
+        model, link = link_of(gazebo, state.link_name, "SetLinkState")
+        root = next(iter(model.plan.bodies))
+        if model.plan.mounts[link].body != root:
+            raise SimkitError(
+                f"SetLinkState: {link} hangs on joints: set these (/gazebo/set_model_configuration), or "
+                f"the link {root}, which carries all of {model.name}"
+            )
+        frame = gazebo.frame(state.reference_frame)
+        there = compose(frame, placement_of(state.pose))
+        model.set_pose(compose(there, compose(inverse(model.link_pose(link)), model.pose)))
+        model.set_twist(
+            turned(frame, vector_of(state.twist.linear)),
+            turned(frame, vector_of(state.twist.angular)),
+        )
+        return "SetLinkState: success"
+
     return [
+        Service(name="set_link_state", type_name="gazebo_msgs/SetLinkState", answer=set_state),
         Service(name="get_link_state", type_name="gazebo_msgs/GetLinkState", answer=get_state),
         Service(
             name="get_link_properties",

@@ -82,6 +82,26 @@ def test_the_state_of_a_link_is_told_by_long_and_by_short_name(sim, ball):
     assert sim.call("/gazebo/get_link_properties", link_name="ball::ball").mass == 2.0
 
 
+def test_a_link_that_carries_its_model_is_set_and_others_are_refused(sim, gazebo, ball, axle):
+    gazebo.pause()
+    state = message_class("gazebo_msgs/LinkState")(link_name="ball::ball")
+    state.pose.position.x, state.pose.orientation.w, state.twist.angular.z = 4.0, 1.0, 2.0
+    assert sim.call("/gazebo/set_link_state", link_state=state).success
+    assert ball.pose.translation == pytest.approx((4.0, 0.0, 0.0))
+    assert ball.twist[1] == (0.0, 0.0, 2.0)
+    two = BALL.replace("</robot>", "").replace('name="ball"', 'name="arm"') + (
+        '<link name="tip"><inertial><mass value="1"/><inertia ixx="0.01" iyy="0.01" izz="0.01" '
+        'ixy="0" ixz="0" iyz="0"/></inertial></link><joint name="j" type="continuous">'
+        '<parent link="arm"/><child link="tip"/><axis xyz="0 0 1"/></joint></robot>'
+    )
+    gazebo.spawn_urdf(two, name="arm")
+    state.link_name = "arm::tip"
+    refused = sim.call("/gazebo/set_link_state", link_state=state)
+    assert not refused.success
+    assert "tip hangs on joints" in refused.status_message
+    assert axle.position == 0.0
+
+
 def test_joints_are_told_set_and_driven(sim, gazebo, axle):
     answer = sim.call(
         "/gazebo/set_model_configuration",
