@@ -128,7 +128,8 @@ def test_a_live_window_moves_with_the_simulation(sim, cart, run_in_page):
             page,
             LOOK
             + """
-            for (let i = 0; i < 300 && view.scene.frames[0].p[0] < 0.2; i++) await frame();
+            const isThere = () => view.scene.frames[0].p[0] > 0.2 && !view.scene.marks[0].points.length;
+            for (let i = 0; i < 300 && !isThere(); i++) await frame();
             return [view.scene.frames[0].p[0], view.scene.marks[0].points.length];
             """,
         )
