@@ -31,7 +31,7 @@ def test_it_follows_to_the_right(chase, rng):
     """When turtle1 circles clockwise, turtle2 follows too, and keeps looking at it."""
     speed = rng.uniform(0.8, 1.1)
     drive(chase, speed=speed, turn_rate=-speed / 2)
-    chase.run(8.0)
+    chase.run(5.0)
     seen = samples(chase, 4.0)
     farthest = max(gap(two, one) for one, two in seen)
     expect(

@@ -77,7 +77,7 @@ def test_the_node_waits_for_your_robot(sim, roslaunch, run_node):
         hint="Wait until get_num_connections() of the publisher is not 0, with rospy.sleep in the loop.",
     )
     arm = started_arm(sim, roslaunch, LAUNCH, model=MODEL, joints=JOINTS)
-    sent = watch(arm, 5.9, RULES)
+    sent = watch(arm, 3.5, RULES)
     expect(
         sent,
         "the node sends nothing to your robot",

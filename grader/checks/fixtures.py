@@ -11,16 +11,14 @@ from typing import Any
 import pytest
 
 from grader.checks.context import CheckContext, context_of
-from grader.checks.layout import lay_out
 from grader.checks.nodes import NodeWatch, permissions_of, require_handed_in
+from grader.checks.stage import stage_of
 from grader.exercises import Exercise
 from grader.submission import Submission
 from simkit import Simulation
 from simkit.graph.process import NodeRuntime
 
 WATCH: pytest.StashKey[NodeWatch] = pytest.StashKey()
-ALLOWANCE = 5.0
-"""Wall time for which a script of a student may compute without waiting [s]."""
 
 
 @pytest.fixture(scope="session")
@@ -42,29 +40,15 @@ def exercise(check_context: CheckContext) -> Exercise:
 
 
 @pytest.fixture(scope="session")
-def package_path(check_context: CheckContext) -> Path:
+def package_path(pytestconfig: pytest.Config) -> Path:
     """Folder with the student's files, laid out as ROS packages."""
-    folder = check_context.folder / "work"
-    files = check_context.submission.files
-    lay_out(files, folder, package=check_context.exercise.package)
-    return folder
+    return stage_of(pytestconfig).package_path
 
 
 @pytest.fixture(scope="session")
-def node_runtime(check_context: CheckContext, package_path: Path) -> Iterator[NodeRuntime]:
+def node_runtime(pytestconfig: pytest.Config) -> NodeRuntime:
     """Where the student's nodes run: in the sandbox, under its limits."""
-    home = check_context.folder / "home"
-    home.mkdir(mode=0o777)
-    home.chmod(0o777)  # not for anyone: the folder around it is closed
-    confinement = check_context.sandbox.confine(package_path, home)
-    runtime = NodeRuntime(
-        confinement.command_prefix,
-        limits=confinement.limits,
-        environment=confinement.environment,
-        allowance=ALLOWANCE,
-    )
-    yield runtime
-    runtime.close()
+    return stage_of(pytestconfig).runtime
 
 
 @pytest.fixture

@@ -113,7 +113,7 @@ def usual_bearing(seen: list[tuple[Any, Any]]) -> float:
 
 def come_to_rest(sim: Simulation, *, timeout: float) -> None:
     """Let time pass until turtle2 hardly moves any more, at most `timeout` [s]."""
-    sim.run_until(lambda: bool(sim.latest("/turtle2/pose").linear_velocity < 0.02), timeout)
+    sim.run_until(lambda: bool(sim.latest("/turtle2/pose").linear_velocity < 0.04), timeout)
 
 
 def reaction_time(

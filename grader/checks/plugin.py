@@ -16,6 +16,7 @@ from grader.checks.context import CheckContext, context_of
 from grader.checks.fixtures import WATCH
 from grader.checks.marks import needed_by, points_of
 from grader.checks.nodes import NodeWatch
+from grader.checks.stage import close_stage, stage_of
 from grader.checks.verdict import Verdict, verdict_of
 from grader.results import CheckResult, Status
 
@@ -30,6 +31,18 @@ def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "points(number): what the check is worth")
     config.addinivalue_line("markers", "after(names): checks that must have passed before")
     config.stash[_RESULTS] = {}
+
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Start what the student's nodes come from, if there are any: it gets ready while the checks are read."""
+    context = context_of(session.config)
+    if not context.only_list and any(file.endswith(".py") for file in context.submission.files):
+        stage_of(session.config).warm_up()
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """End the student's nodes."""
+    close_stage(config)
 
 
 @pytest.hookimpl(trylast=True)

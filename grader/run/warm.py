@@ -4,6 +4,9 @@ The guard holds the lifeline to the runner. When the checker ends, or the lifeli
 is over, or the runner is gone, whatever the reason), the guard kills every process that came from
 the checker, also those that detached themselves, and tells how the checker ended.
 
+While the first jobs run, the parent imports what checkers import late, a module at a time: the first
+job need not wait for it, and the later ones find it done.
+
 Run as `python -m grader.run.warm FD`.
 """
 
@@ -12,6 +15,7 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import gc
+import importlib
 import json
 import os
 import select
@@ -25,6 +29,22 @@ from grader.run.checker import work
 from grader.run.family import end_family
 from grader.run.launch import read_framed
 
+LATE = (
+    "simkit.launch.launch",
+    "simkit.nodes.turtlesim",
+    "simkit.nodes.robot_state_publisher",
+    "simkit.nodes.joint_state_publisher",
+    "simkit.urdf.rules.check",
+    "numpy",
+    "dartpy",
+    "simkit.gazebo.gzserver",
+    "simkit.gazebo.spawn_model",
+    "simkit.nodes.controller_manager",
+    "simkit.plugins.control.plugin",
+    "simkit.plugins.diff_drive",
+    "simkit.plugins.laser",
+)
+"""What the checks of one exercise or another import when they need it."""
 _PR_SET_PDEATHSIG = 1
 _PR_SET_CHILD_SUBREAPER = 36
 
@@ -34,8 +54,8 @@ def main() -> None:
     control = socket.socket(fileno=int(sys.argv[1]))
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the runner, which then closes us
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards leave no zombies
-    gc.collect()
-    gc.freeze()  # checkers share these pages instead of copying them at the first collection
+    late = list(LATE)
+    _share_memory()
     while True:
         message, fds, _, _ = socket.recv_fds(control, 1, 3)
         if not message:
@@ -45,6 +65,24 @@ def main() -> None:
             _in_child(_guard_of, fds)
         for fd in fds:
             os.close(fd)
+        _import_while_idle(late, control)
+
+
+def _import_while_idle(late: list[str], control: socket.socket) -> None:
+    """Import one module after the other until a job comes; what cannot be imported is the checkers' business."""
+    if not late:
+        return
+    while late and not select.select([control], [], [], 0)[0]:
+        with contextlib.suppress(ImportError):
+            importlib.import_module(late.pop(0))
+    if not late:
+        _share_memory()
+
+
+def _share_memory() -> None:
+    """Let checkers share the pages that are there, instead of copying them at the first collection."""
+    gc.collect()
+    gc.freeze()
 
 
 def _guard_of(fds: list[int]) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Final
 
 from simkit.tf import frame_report
-from simkit.tf.admission import objections, without_slash
+from simkit.tf.admission import is_admissible, objections, without_slash
 from simkit.tf.cache import LATEST
 from simkit.tf.common_time import latest_common_time
 from simkit.tf.errors import InvalidArgumentException, LookupException, TransformException
@@ -74,11 +74,11 @@ class BufferCore:
             Whether it was stored; if not, `on_warning` has been told why.
         """
         parent, child = without_slash(parent), without_slash(child)
-        faults = list(
-            objections(
+        faults: list[str] = []
+        if not is_admissible(parent, child, translation=translation, rotation=rotation):
+            faults += objections(
                 parent, child, translation=translation, rotation=rotation, authority=authority
             )
-        )
         if not faults:
             refusal = self.frames.insert(
                 child,

@@ -53,6 +53,7 @@ class NodeClient:
         self._results: dict[int, tuple[bool, bytes]] = {}
         self._calling: dict[int, Task] = {}
         self._sinks: dict[int, tuple[Worker, Callable[[bytes, str], None]]] = {}
+        self._stores: dict[int, Callable[[bytes, str], None]] = {}
         self._handlers: dict[int, tuple[Worker, Callable[[bytes, str], tuple[bool, bytes]]]] = {}
         self.shutdown_reason: str | None = None
         self.on_shutdown: Callable[[str], None] = self.request_shutdown
@@ -121,18 +122,39 @@ class NodeClient:
         self._outbox.add(Op.PUBLISH, protocol.pack_id(publisher_id), data)
 
     def subscribe(
-        self, topic: str, type_name: str, sink: Callable[[bytes, str], None], queue_size: int | None
+        self,
+        topic: str,
+        type_name: str,
+        sink: Callable[[bytes, str], None],
+        queue_size: int | None,
+        *,
+        stored: bool = False,
     ) -> int:
-        """A subscription's id; `sink` takes wire bytes and the publisher's name, in a task of its own."""
+        """A subscription's id.
+
+        Args:
+            topic: Name of the topic, as written.
+            type_name: Type of its messages.
+            sink: Takes wire bytes and the publisher's name, in a task of its own.
+            queue_size: At most so many messages wait; None for any number.
+            stored: `sink` only keeps what it gets: it never blocks, nor asks the graph. It is called before the
+                node goes on, and a message waits until the node wakes by itself, if it does so soon.
+        """
         number = int(
-            self.ask(Op.SUBSCRIBE, topic=topic, type=type_name, queue_size=queue_size)["id"]
+            self.ask(
+                Op.SUBSCRIBE, topic=topic, type=type_name, queue_size=queue_size, stored=stored
+            )["id"]
         )
-        worker = Worker(self.scheduler, f"callbacks of {topic}", self.report_fault, queue_size)
-        self._sinks[number] = (worker, sink)
+        if stored:
+            self._stores[number] = sink
+        else:
+            worker = Worker(self.scheduler, f"callbacks of {topic}", self.report_fault, queue_size)
+            self._sinks[number] = (worker, sink)
         return number
 
     def unsubscribe(self, subscription_id: int) -> None:
         """End a subscription; what is on its way is dropped."""
+        self._stores.pop(subscription_id, None)
         if subscription_id in self._sinks:
             worker, _ = self._sinks.pop(subscription_id)
             worker.close(drop=True)
@@ -229,7 +251,9 @@ class NodeClient:
     def _deliver(self, body: bytes) -> None:
         number, rest = protocol.unpack_id(body)
         caller, data = protocol.unpack_name(rest)
-        if number in self._sinks:
+        if number in self._stores:
+            self._stores[number](data, caller)
+        elif number in self._sinks:
             worker, sink = self._sinks[number]
             worker.add(lambda: sink(data, caller))
 

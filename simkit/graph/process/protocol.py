@@ -41,7 +41,7 @@ class Op(enum.IntEnum):
     ADVERTISE = 2  # node: JSON {topic, type, latch}; REPLY {id}
     UNADVERTISE = 3  # node: id
     PUBLISH = 4  # node: id, message
-    SUBSCRIBE = 5  # node: JSON {topic, type, queue_size}; REPLY {id}
+    SUBSCRIBE = 5  # node: JSON {topic, type, queue_size, stored}; REPLY {id}
     UNSUBSCRIBE = 6  # node: id
     OFFER_SERVICE = 7  # node: JSON {service, type}; REPLY {id}
     WITHDRAW_SERVICE = 8  # node: id

@@ -180,9 +180,12 @@ class Requests:
         topic = self._resolve(request["topic"])
         number = self._new_id(self._subscriptions)
         head = protocol.pack_id(number)
+        stored = bool(request.get("stored"))
 
         def sink(data: bytes, caller: str) -> None:
-            if not self._node.tell(Op.DELIVER, head, protocol.pack_name(caller), data):
+            if not self._node.tell(
+                Op.DELIVER, head, protocol.pack_name(caller), data, stored=stored
+            ):
                 self._warn_of_loss(topic)
 
         subscription = self._graph.add_subscription(

@@ -32,6 +32,8 @@ RESUMES_PER_INSTANT = 1000
 """After so many turns at one instant a node waits a millisecond: two nodes that answer each other must not stop the clock."""
 MAX_FAULTS = 20
 """So many different faults of callbacks are kept."""
+PATIENCE_NS = 200_000_000
+"""What a node only stores waits for its next turn, if that comes within this time [ns]."""
 SHUTDOWN_GRACE_NS = 2_000_000_000
 """How long a node may live on after a shutdown request [ns of virtual time]."""
 
@@ -133,8 +135,13 @@ class ScriptNode:
             self._resume()
         self._end(kill=True)
 
-    def tell(self, op: Op, *body: bytes) -> bool:
+    def tell(self, op: Op, *body: bytes, stored: bool = False) -> bool:
         """Put a record in the node's outbox and give the node a turn.
+
+        Args:
+            op: The operation.
+            body: The parts of its body.
+            stored: The node only keeps it for later, so it can wait until the node is about to wake by itself.
 
         Returns:
             False for a message that was dropped, since too much waits for the node already, and for one that came too
@@ -147,8 +154,15 @@ class ScriptNode:
                 self._fail(failures.overwhelmed())
             return False
         self.outbox.add(op, *body)
-        self.resume_soon()
+        if not (stored and self._wakes_soon()):
+            self.resume_soon()
         return True
+
+    def _wakes_soon(self) -> bool:
+        return (
+            self._wake is not None
+            and self._wake.time_ns <= self.graph.executor.now_ns + PATIENCE_NS
+        )
 
     def resume_soon(self) -> None:
         """Give the node a turn at this instant, with what waits in its outbox."""

@@ -10,6 +10,7 @@ This is our model of Qt's drawing: at the very edge of a line the two may differ
 from __future__ import annotations
 
 import math
+from typing import TypeAlias
 
 from simkit.nodes.turtlesim.window import SIDE_PX, Point, Rgb
 
@@ -38,14 +39,13 @@ class Canvas:
 
     def draw_line(self, start: Point, end: Point, *, width: int, color: Rgb) -> None:
         """Paint a straight line from `start` to `end` (x, y down) [px], `width` [px] wide."""
-        corners = _rectangle(start, end, width / 2)
-        heights = [y for _, y in corners]
+        edges = _edges(_rectangle(start, end, width / 2))
         # Open below and closed above, so that the pixel nearest to the line is always in it.
-        first = max(math.floor(min(heights)) + 1, 0)
-        last = min(math.floor(max(heights)), SIDE_PX - 1)
+        first = max(math.floor(min(edges)[0]) + 1, 0)
+        last = min(math.floor(max(edge[1] for edge in edges)), SIDE_PX - 1)
         paint = bytes(color)
         for row in range(first, last + 1):
-            left, right = _span(corners, row)
+            left, right = _span(edges, row)
             begin = max(math.floor(left) + 1, 0)
             stop = min(math.floor(right), SIDE_PX - 1) + 1
             if begin < stop:
@@ -65,13 +65,28 @@ def _rectangle(start: Point, end: Point, half: float) -> list[Point]:
     ]
 
 
-def _span(corners: list[Point], row: int) -> Point:
-    crossings = []
-    for index, (x, y) in enumerate(corners):
-        next_x, next_y = corners[index - 1]
-        low, high = min(y, next_y), max(y, next_y)
+_Edge: TypeAlias = tuple[float, float, float, float, float, float]
+"""Lowest and highest y of a side of the rectangle, and its two ends."""
+
+
+def _edges(corners: list[Point]) -> list[_Edge]:
+    sides = zip(corners, (corners[-1], *corners), strict=False)
+    return [
+        (y, to, x, y, x2, to) if y < to else (to, y, x, y, x2, to) for (x, y), (x2, to) in sides
+    ]
+
+
+def _span(edges: list[_Edge], row: int) -> Point:
+    """Where a row enters and leaves the rectangle. A turtle draws at every tick: this is written to be quick."""
+    left, right = math.inf, -math.inf
+    for low, high, x, y, next_x, next_y in edges:
         if low <= row <= high:
-            crossings.append(x if y == next_y else x + (row - y) * (next_x - x) / (next_y - y))
             if y == next_y:
-                crossings.append(next_x)
-    return (min(crossings), max(crossings))
+                left, right = min(left, x, next_x), max(right, x, next_x)
+                continue
+            crossing = x + (row - y) * (next_x - x) / (next_y - y)
+            if crossing < left:
+                left = crossing
+            if crossing > right:
+                right = crossing
+    return (left, right)

@@ -160,6 +160,8 @@ class Subscriber(_Topic):
         tcp_nodelay: Taken for rospy's sake.
     """
 
+    _stored = False
+
     def __init__(
         self,
         name: str,
@@ -185,7 +187,7 @@ class Subscriber(_Topic):
     def _register(self) -> None:
         try:
             self._id = client.current().subscribe(
-                self.name, self.type, self._receive, self._queue_size
+                self.name, self.type, self._receive, self._queue_size, stored=self._stored
             )
         except Refused as error:
             raise ROSException(str(error)) from None

@@ -11,8 +11,10 @@ from .transformer_ros import TransformerROS
 
 if TYPE_CHECKING:
     from simkit.ros1 import rospy
+    from simkit.ros1.rospy.storing import StoringSubscriber, now
 else:
     import rospy
+    from rospy.storing import StoringSubscriber, now
 
 
 class TransformListener(TransformerROS):
@@ -25,10 +27,10 @@ class TransformListener(TransformerROS):
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
-        feed = TransformFeed(self._buffer, now=rospy.get_rostime, warn=rospy.logwarn)
+        feed = TransformFeed(self._buffer, now=now, warn=rospy.logwarn)
         tf_message = message_class("tf2_msgs/TFMessage")
         self._subscribers = (
-            rospy.Subscriber("/tf", tf_message, feed.on_transforms),
-            rospy.Subscriber("/tf_static", tf_message, feed.on_static_transforms),
+            StoringSubscriber("/tf", tf_message, feed.on_transforms),
+            StoringSubscriber("/tf_static", tf_message, feed.on_static_transforms),
         )
         self.setUsingDedicatedThread(True)

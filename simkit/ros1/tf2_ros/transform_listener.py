@@ -8,10 +8,10 @@ from simkit.msgs import message_class
 from simkit.tf.feed import TransformFeed
 
 if TYPE_CHECKING:
-    from simkit.ros1 import rospy
+    from simkit.ros1.rospy.storing import StoringSubscriber, now
     from simkit.ros1.tf2_py import BufferCore
 else:
-    import rospy
+    from rospy.storing import StoringSubscriber, now
 
 
 class TransformListener:
@@ -34,10 +34,12 @@ class TransformListener:
         tcp_nodelay: bool = False,
     ) -> None:
         self.buffer = buffer
-        feed = TransformFeed(buffer._buffer, now=rospy.get_rostime, warn=buffer._warn)
+        feed = TransformFeed(buffer._buffer, now=now, warn=buffer._warn)
         tf_message = message_class("tf2_msgs/TFMessage")
-        self.tf_sub = rospy.Subscriber("/tf", tf_message, feed.on_transforms, queue_size=queue_size)
-        self.tf_static_sub = rospy.Subscriber(
+        self.tf_sub = StoringSubscriber(
+            "/tf", tf_message, feed.on_transforms, queue_size=queue_size
+        )
+        self.tf_static_sub = StoringSubscriber(
             "/tf_static", tf_message, feed.on_static_transforms, queue_size=queue_size
         )
 

@@ -49,7 +49,7 @@ def workspace(package, monkeypatch):
     return write
 
 
-def _wait(condition, seconds=10.0):
+def _wait(condition, seconds=60.0):
     end = time.monotonic() + seconds
     while not condition() and time.monotonic() < end:
         time.sleep(0.05)
@@ -158,7 +158,7 @@ def test_ctrl_c_ends_all(begin, workspace):
     assert next(lines).startswith("started a simulation; other terminals join it")
     assert any(line == "awake /s\n" for line in lines)
     process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=20)
+    out, err = process.communicate(timeout=60)
     assert (process.returncode, err) == (0, "")
     assert out == (
         "[turtle-2] killing on exit\n[s-1] killing on exit\ngoodbye\n"
@@ -187,10 +187,10 @@ def test_a_launch_joins_the_simulation_of_another_terminal(simkit, begin, worksp
     assert code == 1
     assert err.startswith("RLException: [nope.launch] is neither a launch file")
     joined.send_signal(signal.SIGINT)
-    joined.communicate(timeout=10)
+    joined.communicate(timeout=60)
     assert _wait(lambda: simkit("rosnode", "list")[1] == "\n")
     core.send_signal(signal.SIGINT)
-    assert core.wait(timeout=10) == 0
+    assert core.wait(timeout=60) == 0
 
 
 def test_without_nodes_it_stays_for_others_as_with_a_master_of_its_own(simkit, begin, workspace):
@@ -198,6 +198,6 @@ def test_without_nodes_it_stays_for_others_as_with_a_master_of_its_own(simkit, b
     assert any("the parameters are set" in line for line in iter(host.stdout.readline, ""))
     assert _wait(lambda: simkit("rosparam", "get", "/robot")[1] == "r2\n")
     host.send_signal(signal.SIGINT)
-    out, _ = host.communicate(timeout=10)
+    out, _ = host.communicate(timeout=60)
     assert host.returncode == 0
     assert out.endswith("done\n")

@@ -30,7 +30,7 @@ MANY = (
 def ends_soon():
     start = time.monotonic()
     yield
-    assert time.monotonic() - start < 5.0
+    assert time.monotonic() - start < 30.0
 
 
 @pytest.mark.parametrize(

@@ -53,11 +53,12 @@ def say(*argv):
 
 
 def test_time_goes_at_the_pace_of_the_clock(host):
-    wall, (_, first) = time.monotonic(), say("time")
+    before, (_, first), heard = time.monotonic(), say("time"), time.monotonic()
     time.sleep(0.5)
-    _, second = say("time")
-    virtual, wall = float(second) - float(first), time.monotonic() - wall
-    assert virtual == pytest.approx(wall, abs=0.2)
+    asked, (_, second), after = time.monotonic(), say("time"), time.monotonic()
+    virtual = float(second) - float(first)
+    # An answer is of some moment while it was waited for; on a busy machine the simulation may lag.
+    assert 0.5 * (asked - heard) <= virtual <= after - before + 0.05
 
 
 def test_a_node_speaks_to_its_own_terminal_and_ends_with_it(host, package):

@@ -223,6 +223,8 @@ class FakeRospy(ModuleType):
         self.agenda: list[tuple[int, Any]] = []
         self.logwarn = self.warnings.append
         self.Subscriber = self._subscribe
+        self.storing: Any = ModuleType("rospy.storing")
+        self.storing.StoringSubscriber, self.storing.now = self._subscribe, self.get_rostime
         self.Publisher = self._advertise
 
     def get_rostime(self) -> Any:
@@ -255,6 +257,7 @@ def rospy(monkeypatch: pytest.MonkeyPatch) -> Iterator[FakeRospy]:
     """Stands for rospy, which lives in node processes only."""
     fake = FakeRospy()
     monkeypatch.setitem(sys.modules, "rospy", fake)
+    monkeypatch.setitem(sys.modules, "rospy.storing", fake.storing)
     _forget_tf()
     yield fake
     _forget_tf()

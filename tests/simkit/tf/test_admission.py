@@ -5,6 +5,10 @@ from __future__ import annotations
 import math
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from simkit.tf.admission import is_admissible, objections
 
 NAN = math.nan
 HALF = math.sqrt(0.5)
@@ -144,3 +148,18 @@ def test_repeated_data_is_refused_with_tfs_words(tree):
 def test_only_one_slash_is_dropped(tree):
     tree.put("//w", "/a", 1.0)
     assert tree.core.frame_strings == ["a", "/w"]
+
+
+numbers = (
+    st.sampled_from([0.0, 1.0, -0.5, HALF, 1e300, -1e300, math.inf, -math.inf, NAN]) | st.floats()
+)
+names = st.sampled_from(["", "a", "b"])
+
+
+@given(names, names, st.tuples(*[numbers] * 3), st.tuples(*[numbers] * 4))
+def test_the_quick_answer_is_never_better_than_the_objections(parent, child, place, turn):
+    faults = list(objections(parent, child, translation=place, rotation=turn, authority="somebody"))
+    quick = is_admissible(parent, child, translation=place, rotation=turn)
+    assert not (quick and faults)
+    if all(map(math.isfinite, (*place, *turn))) and math.isfinite(sum(map(abs, place))):
+        assert quick == (not faults)

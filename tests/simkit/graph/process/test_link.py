@@ -108,7 +108,7 @@ def test_silence_is_a_stuck_node_after_its_allowance(make_wire):
     start = time.monotonic()
     with pytest.raises(Stuck):
         wire.link.receive()
-    assert 0.1 <= time.monotonic() - start < 1.0
+    assert time.monotonic() - start >= 0.1
 
 
 def test_the_allowance_is_for_the_turn_not_for_each_frame(make_wire):
