@@ -118,6 +118,16 @@ class Model:
         return then(placement(body.getWorldTransform()), self._to_model)
 
     @property
+    def base(self) -> Placement:
+        """Where its frame was when all its joints were at 0: for what is fixed to the world that frame itself."""
+        if not self._roots:
+            return self._pose
+        plan, joint = self._roots[0]
+        is_free = plan.kind is JointKind.FREE
+        at = joint.getRelativeTransform() if is_free else joint.getTransformFromParentBodyNode()
+        return then(placement(at), inverse(_placement(plan.frame.then(plan.anchor))))
+
+    @property
     def twist(self) -> tuple[Vector, Vector]:
         """How its root link moves in the world: velocity of its origin [m/s], angular velocity [rad/s]."""
         if not self._roots:

@@ -7,11 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from simkit.physics.careful import Careful
 from simkit.physics.contact import Owner
 from simkit.physics.errors import PhysicsError
 from simkit.physics.joint import ModelJoint
 from simkit.physics.lifting import FALLING, LONGEST, lift
 from simkit.physics.model import Model
+from simkit.physics.touching import Touching
 from simkit.physics.watch import LOOK_EVERY, LostModelError, Watch
 
 
@@ -46,6 +48,7 @@ class Stepper:
         self.step_ns = step_ns
         self.time_ns = 0
         self.has_contacts = False
+        self.touching = Touching(engine, models, owners)
         self._engine = engine
         self._down = np.zeros(3)
         self._step_s = step_ns * 1e-9
@@ -56,11 +59,13 @@ class Stepper:
         self._to_lift = 0
         self._patience = LONGEST
         self._is_stepping = False
+        self._is_touched = True
         self.heed_gravity()
 
     def touched(self) -> None:
         """Something was set from outside: it may be fast, or stick in something."""
         self._to_lift, self._patience = LOOK_EVERY, LONGEST
+        self._is_touched = True
         for watch in self.watches.values():
             watch.start()
 
@@ -72,6 +77,7 @@ class Stepper:
     def changed(self) -> None:
         """Shapes come, go or jump: the contacts of the last step mean nothing any more."""
         self.has_contacts = False
+        self._is_touched = True
         self._engine.getConstraintSolver().clearLastCollisionResult()
 
     def forget_pushes(self) -> None:
@@ -103,6 +109,9 @@ class Stepper:
         self._is_stepping = True
         try:
             while steps > 0:
+                if self._is_touched:
+                    self._is_touched = False
+                    self.touching.refresh()
                 if self._count % LOOK_EVERY == 0:
                     self._look()
                 burst = min(steps, LOOK_EVERY - self._count % LOOK_EVERY) if self._is_quiet() else 1
@@ -130,10 +139,36 @@ class Stepper:
         return all(watch.is_quiet for watch in self.watches.values())
 
     def _hurry(self, steps: int) -> None:
-        engine_step = self._engine.step
-        for _ in range(steps):
-            engine_step(False)
+        """Steps that need nothing but the engine."""
+        careful = self._careful()
+        if careful:
+            self._swing(careful, steps)
+        else:
+            engine_step = self._engine.step
+            for _ in range(steps):
+                engine_step(False)
         self._passed(steps)
+
+    def _careful(self) -> list[Careful]:
+        return [watch.careful for watch in self.watches.values() if watch.careful.is_on]
+
+    def _swing(self, careful: list[Careful], steps: int) -> None:
+        """Steps for models some of which are stepped carefully."""
+        engine_step, step_s, count = self._engine.step, self._step_s, self._count
+        for one in careful:
+            one.enter(count, step_s)
+        end = count + steps
+        while count < end:
+            burst = min(end - count, *(one.left for one in careful))
+            for _ in range(burst):
+                engine_step(False)
+            count += burst
+            for one in careful:
+                one.passed(burst)
+                if not one.left and count < end:
+                    one.turn(count, step_s)
+        for one in careful:
+            one.leave(count, step_s)
 
     def _attend(self) -> None:
         """One step, with all that belongs to it."""
@@ -141,17 +176,10 @@ class Stepper:
             hook()
         for joint in self.busy.values():
             joint.before_step(self._step_s)
-        careful = []
         for watch in self.watches.values():
             if watch.model.is_braked:
                 watch.model.brake(self._step_s)
-            if watch.careful.is_on:
-                watch.careful.lean(self._step_s)
-                careful.append(watch.careful)
-        self._engine.step(False)
-        for one in careful:
-            one.straighten(self._step_s)
-        self._passed(1)
+        self._hurry(1)
         self._tidy()
         for hook in tuple(self.after):
             hook()

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from simkit.errors import UnknownNameError
 from simkit.physics.contact import Contact, Owner, read_contacts
-from simkit.physics.engine import GRAVITY, STEP_NS, dart, new_engine_world
+from simkit.physics.engine import GRAVITY, STEP_NS, new_engine_world
 from simkit.physics.errors import ModelError, PhysicsError
 from simkit.physics.ground import ground_plan
 from simkit.physics.model import Model
@@ -160,6 +160,7 @@ class World:
         bodies = model.built.bodies
         for one, other in shy_pairs(model.plan):
             self._filter().removeBodyNodePairFromBlackList(bodies[one], bodies[other])
+        self._stepper.touching.forget(model)
         self._engine.removeSkeleton(model.built.skeleton)
         for label in self._sights.pop(name).labels:
             del self._owners[label]
@@ -220,15 +221,12 @@ class World:
         """What touched in the last step; nothing if models came or went since."""
         if not self._stepper.has_contacts:
             return ()
-        return read_contacts(self._engine.getLastCollisionResult(), self._owners)
+        found = read_contacts(self._engine.getLastCollisionResult(), self._owners)
+        return found + self._stepper.touching.still
 
     def overlaps(self) -> tuple[Contact, ...]:
         """What touches as things stand now, without a step; the forces are zero."""
-        collision = dart().collision
-        option = collision.CollisionOption(True, 1000, self._filter())
-        result = collision.CollisionResult()
-        self._engine.checkCollision(option, result)
-        return read_contacts(result, self._owners)
+        return self._stepper.touching.all_contacts()
 
     def cast_rays(
         self, origins: ArrayLike, directions: ArrayLike, *, reach: float = float("inf")
