@@ -1,4 +1,4 @@
-"""One exercise graded with all its checks, against nbclient that only runs the same notebook."""
+"""Exercises graded with all their checks; one of them against nbclient that only runs the same notebook."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import nbformat
 from figures import Figure, median_of, show
 from nbclient import NotebookClient
 
-from grader.exercises import find_root, get_exercise
+from grader.exercises import find_root, get_exercise, load_exercises
 from grader.run import grade_submission
 from grader.sandbox import Sandbox, find_sandbox
 from grader.submission import submission_from_notebook
@@ -31,9 +31,9 @@ def seconds(work: Callable[[], object]) -> float:
     return median_of(durations[1:])
 
 
-def grading(root: Path, sandbox: Sandbox) -> Callable[[], object]:
-    """Grades the solution, hidden checks too."""
-    exercise = get_exercise(root, EXERCISE)
+def grading(root: Path, sandbox: Sandbox, name: str = EXERCISE) -> Callable[[], object]:
+    """Grades the solution of an exercise, hidden checks too."""
+    exercise = get_exercise(root, name)
     notebook = root / "solutions" / f"{exercise.slug}.ipynb"
 
     def grade() -> None:
@@ -78,6 +78,9 @@ def main() -> None:
         Figure("the same notebook only run, nbclient", bare, "s"),
         Figure("graded in the sandbox over only run", sandboxed / bare, "x"),
     )
+    for name in load_exercises(root):
+        took = seconds(grading(root, strongest, name))
+        show(Figure(f"exercise {name}: all checks, sandboxed", took, "s", 3.0))
 
 
 if __name__ == "__main__":

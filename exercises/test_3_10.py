@@ -205,10 +205,10 @@ def test_the_node_sends_random_trajectories(sim, run_node):
     """Every 3 s the node sends a new trajectory, within the limits, and the arm goes there."""
     arm = given_arm(sim, *JOINTS, model=MODEL)
     node = run_node(SCRIPT)
-    sent = watch(arm, 6.7, RULES)
+    sent = watch(arm, 6.1, RULES)
     expect(
         len(sent) >= 2,
-        f"the node sent {len(sent)} trajector{'y' if len(sent) == 1 else 'ies'} within 6.7 s",
+        f"the node sent {len(sent)} trajector{'y' if len(sent) == 1 else 'ies'} within 6.1 s",
         hint="Publish on /arm_controller/command as soon as somebody listens, and every 3 s from then on.",
     )
     expect(node.alive, "the node ended", hint="Loop while not rospy.is_shutdown().")

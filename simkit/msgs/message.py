@@ -80,10 +80,12 @@ class Message(metaclass=_MessageType):
             if name not in names:
                 raise AttributeError(self._unknown_field(name))
         given = dict(zip(names, args, strict=True)) if args else kwds
-        self.__init__()  # type: ignore[misc]  # the defaults
-        for name, value in given.items():
-            if value is not None:
-                setattr(self, name, value)
+        for name, value in self._constant_defaults:
+            own = given.get(name)
+            setattr(self, name, value if own is None else own)
+        for name, make in self._fresh_defaults:
+            own = given.get(name)
+            setattr(self, name, make() if own is None else own)
 
     def _unknown_field(self, name: str) -> str:
         text = f"{name} is not an attribute of {type(self).__name__}"

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from simkit.msgs import Time
 from simkit.tf.broadcaster_watch import BroadcasterWatch
 from simkit.tf.buffer import Buffer
 from simkit.tf.rotation_advice import rotation_advice
@@ -18,7 +17,7 @@ class TransformFeed:
 
     Args:
         buffer: Where the transforms go. Its warnings are told to `warn` from now on.
-        now: Current time; the buffer is cleared when it jumps back.
+        now_ns: Current time [ns]; the buffer is cleared when it jumps back.
         warn: Is given each sentence.
 
     Source:
@@ -26,12 +25,12 @@ class TransformFeed:
     """
 
     def __init__(
-        self, buffer: Buffer, *, now: Callable[[], Time], warn: Callable[[str], None]
+        self, buffer: Buffer, *, now_ns: Callable[[], int], warn: Callable[[str], None]
     ) -> None:
         self._buffer = buffer
-        self._now = now
+        self._now_ns = now_ns
         self._warn = warn
-        self._last_update: Time | None = None
+        self._last_update_ns: int | None = None
         self._watch = BroadcasterWatch()
         self._faults: list[str] = []
         self._counts: dict[tuple[str, ...], int] = {}
@@ -59,12 +58,12 @@ class TransformFeed:
         self._buffer.on_warning = self._warn
 
     def _clear_on_jump_back(self) -> None:
-        now = self._now()
-        if self._last_update is not None and now < self._last_update:
-            jump = (self._last_update - now).to_sec()
-            self._warn(f"Detected jump back in time of {jump:f}s. Clearing TF buffer.")
+        now_ns, last_ns = self._now_ns(), self._last_update_ns
+        if last_ns is not None and now_ns < last_ns:
+            jump_s = (last_ns - now_ns) / 1e9
+            self._warn(f"Detected jump back in time of {jump_s:f}s. Clearing TF buffer.")
             self._buffer.clear()
-        self._last_update = now
+        self._last_update_ns = now_ns
 
     def _notice_rivals(self, transform: Any, authority: str) -> None:
         sentence = self._watch.note(

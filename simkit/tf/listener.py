@@ -22,7 +22,8 @@ class TransformListener:
 
     def __init__(self, node: Node, buffer: Buffer) -> None:
         self.buffer = buffer
-        feed = TransformFeed(buffer, now=node.now, warn=node.warn)
+        executor = node.graph.executor
+        feed = TransformFeed(buffer, now_ns=lambda: executor.now_ns, warn=node.warn)
         tf_message = message_class("tf2_msgs/TFMessage")
         self._subscriptions = (
             node.subscribe("/tf", tf_message, feed.on_transforms),

@@ -48,6 +48,7 @@ class NodeClient:
         self._now_ns = now_ns
         self._clock_reads = 0
         self._questions = 0
+        self._looks: tuple[int, int] | None = None
         self._reply: Any = None
         self._next_call = 0
         self._results: dict[int, tuple[bool, bytes]] = {}
@@ -79,6 +80,19 @@ class NodeClient:
             self.let_time_pass()
         while self._now_ns < time_ns and self.shutdown_reason is None:
             self.scheduler.block(time_ns)
+
+    @contextlib.contextmanager
+    def looking(self, period_ns: int, end_ns: int) -> Iterator[None]:
+        """The sleeps in this block, of a period [ns] each, only wait for something that the graph brings.
+
+        While it brings nothing, nobody need wake: the next sleep ends where the first one with news would, or the
+        first one at or after an end [ns].
+        """
+        self._looks = (period_ns, end_ns) if period_ns >= protocol.LEAST_PERIOD_NS else None
+        try:
+            yield
+        finally:
+            self._looks = None
 
     def let_time_pass(self) -> None:
         """Let a millisecond pass, unless the calling task has blocked since it last came here."""
@@ -203,9 +217,13 @@ class NodeClient:
     # -- frames
 
     def _exchange(self, wake_ns: int | None) -> None:
-        self._outbox.add(
-            Op.WAIT, protocol.pack_time(protocol.NEVER if wake_ns is None else wake_ns)
-        )
+        if wake_ns is None:
+            body = protocol.pack_time(protocol.NEVER)
+        elif self._looks is not None and self.scheduler.sleeper_count == 1:
+            body = protocol.pack_looks(wake_ns, *self._looks)
+        else:
+            body = protocol.pack_time(wake_ns)
+        self._outbox.add(Op.WAIT, body)
         self._turn()
 
     def _turn(self) -> None:
@@ -327,6 +345,16 @@ def current() -> NodeClient:
             "sim.rosrun('package', 'script.py')"
         )
     return _current
+
+
+@contextlib.contextmanager
+def looking(period_ns: int, end_ns: int) -> Iterator[None]:
+    """As `NodeClient.looking`, of the client of this process if there is one."""
+    if _current is None:
+        yield
+    else:
+        with _current.looking(period_ns, end_ns):
+            yield
 
 
 def let_time_pass() -> None:

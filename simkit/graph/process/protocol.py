@@ -25,12 +25,15 @@ MAX_DEPTH = 50
 """Deepest nesting of a JSON body."""
 MAX_NAME = 4096
 """Longest node or topic name in a record [bytes]."""
+LEAST_PERIOD_NS = 100_000
+"""Nobody looks for news more often than this [ns]: each look is work for the graph."""
 NEVER = -1
 """Wake-up time of a node that waits for events only."""
 
 _LENGTH = struct.Struct("<I")
 _RECORD = struct.Struct("<BI")
 _TIME = struct.Struct("<q")
+_LOOKS = struct.Struct("<qqq")
 _ID = struct.Struct("<I")
 
 
@@ -50,7 +53,7 @@ class Op(enum.IntEnum):
     PARAM = 11  # node: JSON {do, name, value}; REPLY
     LOG = 12  # node: u8 level, text
     QUERY = 13  # node: JSON {what, ...}; REPLY
-    WAIT = 14  # node, last: wake-up time [ns] or NEVER
+    WAIT = 14  # node, last: wake-up time [ns] or NEVER; and if it looks again and again for news: period, end
     ASK = 15  # node, last: the graph answers at once, no time passes
     EXIT = 16  # node, last: JSON {code, failure}
     FAULT = 17  # node: JSON failure of a callback; the node goes on
@@ -83,6 +86,11 @@ class Outbox:
         self._size += _RECORD.size + size
         if self._size > MAX_FRAME:
             raise ProtocolError(f"more than {MAX_FRAME} bytes were published at one instant")
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether nothing waits in it."""
+        return not self._parts
 
     def has_room(self, size: int) -> bool:
         """Whether a record with a body of so many bytes still fits, with a little to spare for others."""
@@ -163,6 +171,28 @@ def records(frame: bytes) -> Iterator[tuple[Op, bytes]]:
 def pack_time(time_ns: int) -> bytes:
     """A virtual time [ns] as a record's body."""
     return _TIME.pack(time_ns)
+
+
+def pack_looks(first_ns: int, period_ns: int, end_ns: int) -> bytes:
+    """The body of a WAIT of one that looks for news: when first, how often, until when [ns]."""
+    return _LOOKS.pack(first_ns, period_ns, end_ns)
+
+
+def unpack_looks(body: bytes) -> tuple[int, int, int]:
+    """When a WAIT wants to be woken, how often it would look again if there is no news, until when [ns].
+
+    Raises:
+        ProtocolError: It is none.
+    """
+    if len(body) == _TIME.size:
+        return unpack_time(body), 0, NEVER
+    try:
+        first_ns, period_ns, end_ns = _LOOKS.unpack(body)
+    except struct.error as error:
+        raise ProtocolError("not a time to wake up") from error
+    if first_ns < 0 or period_ns < LEAST_PERIOD_NS:
+        raise ProtocolError("looks for news without a beginning, or too often")
+    return first_ns, period_ns, end_ns
 
 
 def unpack_time(body: bytes) -> int:

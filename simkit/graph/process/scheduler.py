@@ -123,6 +123,11 @@ class Scheduler:
             task.waiters.remove(self.current)
         return task.done
 
+    @property
+    def sleeper_count(self) -> int:
+        """How many tasks wait for a time."""
+        return len(self._sleeping)
+
     def is_task(self) -> bool:
         """Whether the calling thread is one of ours (a thread made behind our back is not)."""
         return _thread.get_ident() in self._idents

@@ -240,7 +240,7 @@ class ScriptNode:
             if last is Op.EXIT:
                 self._leave(protocol.unpack_json(body))
             else:
-                self._sleep_until(protocol.unpack_time(body))
+                self._sleep_until(*protocol.unpack_looks(body))
             return
 
     def _show_output(self) -> None:
@@ -251,13 +251,21 @@ class ScriptNode:
         if text:
             self.graph.show_output(self.name, text)
 
-    def _sleep_until(self, wake_ns: int) -> None:
+    def _sleep_until(self, wake_ns: int, period_ns: int, end_ns: int) -> None:
         if wake_ns == NEVER:
             return
         now = self.graph.executor.now_ns
         if wake_ns <= now and self._resumes >= RESUMES_PER_INSTANT:
             wake_ns = now + MILLISECOND
-        self._wake = self.graph.executor.call_at(wake_ns, self._resume)
+
+        def look() -> None:
+            here = self.graph.executor.now_ns
+            if here >= end_ns or not self.outbox.is_empty:
+                self._resume()
+            else:  # it would find what it found before
+                self._wake = self.graph.executor.call_at(here + period_ns, look)
+
+        self._wake = self.graph.executor.call_at(wake_ns, look if period_ns else self._resume)
 
     def _leave(self, last_words: object) -> None:
         self._end(kill=False)

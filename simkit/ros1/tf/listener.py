@@ -11,10 +11,10 @@ from .transformer_ros import TransformerROS
 
 if TYPE_CHECKING:
     from simkit.ros1 import rospy
-    from simkit.ros1.rospy.storing import StoringSubscriber, now
+    from simkit.ros1.rospy.storing import StoringSubscriber, now_ns
 else:
     import rospy
-    from rospy.storing import StoringSubscriber, now
+    from rospy.storing import StoringSubscriber, now_ns
 
 
 class TransformListener(TransformerROS):
@@ -27,7 +27,7 @@ class TransformListener(TransformerROS):
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
-        feed = TransformFeed(self._buffer, now=now, warn=rospy.logwarn)
+        feed = TransformFeed(self._buffer, now_ns=now_ns, warn=rospy.logwarn)
         tf_message = message_class("tf2_msgs/TFMessage")
         self._subscribers = (
             StoringSubscriber("/tf", tf_message, feed.on_transforms),

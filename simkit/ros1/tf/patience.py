@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from simkit.graph.process.client import let_time_pass
+from simkit.graph.process.client import let_time_pass, looking
 from simkit.msgs import Duration
 from simkit.tf.errors import TransformException
 from simkit.tf.hints import attach
@@ -63,9 +63,11 @@ def wait_until(
         raise TypeError(f"timeout must be a rospy.Duration, not {timeout!r}")
     end = rospy.get_rostime() + timeout
     possible, reason = question()
-    while not possible and rospy.get_rostime() < end:
-        rospy.sleep(timeout * _POLLS)
-        possible, reason = question()
+    period = timeout * _POLLS
+    with looking(period.to_nsec(), end.to_nsec()):
+        while not possible and rospy.get_rostime() < end:
+            rospy.sleep(period)
+            possible, reason = question()
     if not possible:
         target, source = frames
         let_time_pass()

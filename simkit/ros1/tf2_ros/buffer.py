@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from simkit.graph.process.client import looking
 from simkit.msgs import Duration, Time
 
 from .buffer_interface import NO_TIMEOUT, BufferInterface
@@ -132,8 +133,9 @@ def _wait_until(question: Callable[[], int], timeout: Duration) -> None:
         )
     if timeout == NO_TIMEOUT:
         return
-    start = rospy.Time.now()
-    while not question() and start <= rospy.Time.now() + _BACKWARD_JUMP:
-        if rospy.Time.now() >= start + timeout:
-            return
-        rospy.sleep(timeout * _POLLS)
+    start, period = rospy.Time.now(), timeout * _POLLS
+    with looking(period.to_nsec(), (start + timeout).to_nsec()):
+        while not question() and start <= rospy.Time.now() + _BACKWARD_JUMP:
+            if rospy.Time.now() >= start + timeout:
+                return
+            rospy.sleep(period)

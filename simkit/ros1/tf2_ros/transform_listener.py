@@ -8,10 +8,10 @@ from simkit.msgs import message_class
 from simkit.tf.feed import TransformFeed
 
 if TYPE_CHECKING:
-    from simkit.ros1.rospy.storing import StoringSubscriber, now
+    from simkit.ros1.rospy.storing import StoringSubscriber, now_ns
     from simkit.ros1.tf2_py import BufferCore
 else:
-    from rospy.storing import StoringSubscriber, now
+    from rospy.storing import StoringSubscriber, now_ns
 
 
 class TransformListener:
@@ -34,7 +34,7 @@ class TransformListener:
         tcp_nodelay: bool = False,
     ) -> None:
         self.buffer = buffer
-        feed = TransformFeed(buffer._buffer, now=now, warn=buffer._warn)
+        feed = TransformFeed(buffer._buffer, now_ns=now_ns, warn=buffer._warn)
         tf_message = message_class("tf2_msgs/TFMessage")
         self.tf_sub = StoringSubscriber(
             "/tf", tf_message, feed.on_transforms, queue_size=queue_size

@@ -103,3 +103,51 @@ def test_a_callback_of_its_own_on_tf_hears_each_message_when_it_comes(partner, b
         """)
     sim.run(0.2)
     assert node.output.splitlines() == [f"0.0 {n / 100}" for n in range(1, 6)]
+
+
+WAITS = {
+    "tf": "listener.waitForTransform('a', 'b', when, rospy.Duration(0.5))",
+    "tf2_ros": "assert buffer.can_transform('a', 'b', when, rospy.Duration(0.5))",
+}
+
+
+@pytest.mark.parametrize("others", ["", "rospy.Timer(rospy.Duration(0.003), lambda event: None)"])
+@pytest.mark.parametrize("module", LISTENERS)
+def test_a_wait_ends_at_the_look_that_finds_it(module, others, partner, broadcast, turns):
+    broadcast()
+    node = partner(f"""
+        rospy.init_node('ear')
+        {LISTENERS[module]}
+        {others}
+        rospy.sleep(0.0985)
+        start = rospy.Time.now()
+        for ahead in (0.0, 0.101, 0.2):
+            when = start + rospy.Duration(ahead)
+            begin = rospy.Time.now()
+            {WAITS[module]}
+            print((rospy.Time.now() - begin).to_nsec() // 1000)
+        """)
+    del turns[:]
+    node.graph.executor.run_to(node.graph.executor.now_ns + 1_000_000_000)
+    assert node.failure is None, node.output
+    # It looks every 5 ms, from 98.5 ms on; messages come at 100, 110, 120 ms, and so on.
+    assert node.output.split() == ["5000", "100000", "100000"]
+    assert others or len(turns) < 35
+
+
+@pytest.mark.parametrize("module", LISTENERS)
+def test_a_wait_in_vain_ends_in_time_and_costs_nothing(module, partner, turns):
+    node = partner(f"""
+        rospy.init_node('ear')
+        {LISTENERS[module]}
+        begin, when = rospy.Time.now(), rospy.Time(0)
+        try:
+            {WAITS[module]}
+        except Exception as error:
+            print(type(error).__name__)
+        print((rospy.Time.now() - begin).to_nsec() // 1000000)
+        """)
+    del turns[:]
+    node.graph.executor.run_to(node.graph.executor.now_ns + 2_000_000_000)
+    assert node.output.split()[-1] in ("500", "501", "502")
+    assert len(turns) < 6

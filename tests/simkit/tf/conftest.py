@@ -224,7 +224,7 @@ class FakeRospy(ModuleType):
         self.logwarn = self.warnings.append
         self.Subscriber = self._subscribe
         self.storing: Any = ModuleType("rospy.storing")
-        self.storing.StoringSubscriber, self.storing.now = self._subscribe, self.get_rostime
+        self.storing.StoringSubscriber, self.storing.now_ns = self._subscribe, lambda: self.now_ns
         self.Publisher = self._advertise
 
     def get_rostime(self) -> Any:

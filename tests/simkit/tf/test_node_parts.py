@@ -117,7 +117,7 @@ def clock():
 @pytest.fixture
 def feed(clock):
     buffer, warnings = Buffer(), []
-    feed = TransformFeed(buffer, now=lambda: Time(clock["now"]), warn=warnings.append)
+    feed = TransformFeed(buffer, now_ns=lambda: clock["now"] * 10**9, warn=warnings.append)
     return feed, buffer, warnings
 
 

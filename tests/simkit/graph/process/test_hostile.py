@@ -63,7 +63,9 @@ good = st.sampled_from(
 records = good | st.tuples(st.sampled_from(list(Op)) | st.integers(0, 255), bodies)
 lasts = st.tuples(
     st.sampled_from((Op.WAIT, Op.ASK, Op.EXIT)),
-    st.integers(-2, 10**7).map(protocol.pack_time) | bodies,
+    st.integers(-2, 10**7).map(protocol.pack_time)
+    | st.builds(protocol.pack_looks, *[st.integers(-2, 10**7)] * 3)
+    | bodies,
 )
 
 
@@ -117,6 +119,25 @@ def test_a_node_that_asks_for_ever_is_stuck(make_stage):
     stage.answer_with(lambda _data: question)
     stage.run(0.001)
     assert stage.fake.failure.kind == "stuck"
+    stage.require_sound()
+
+
+@pytest.mark.parametrize(
+    ("period_ns", "end_ns"), [(100_000, 10**18), (10**18, 10**18), (100_000, -5)]
+)
+def test_a_node_that_looks_for_news_often_does_not_stop_the_clock(stage, period_ns, end_ns):
+    looks = _outbox((Op.WAIT, protocol.pack_looks(500, period_ns, end_ns)))
+    stage.answer_with(lambda _data: looks)
+    stage.run(0.1)
+    assert stage.graph.executor.now_ns == 100_000_000
+    stage.require_sound()
+
+
+@pytest.mark.parametrize("looks", [(500, 99_999, 10**9), (500, 0, 10**9), (-1, 10**6, 10**9)])
+def test_a_node_that_looks_too_often_ends(stage, looks):
+    stage.answer_with(lambda _data: _outbox((Op.WAIT, protocol.pack_looks(*looks))))
+    stage.run(0.001)
+    assert stage.fake.failure is not None
     stage.require_sound()
 
 
