@@ -61,12 +61,7 @@ class Touching:
 
     def all_contacts(self) -> tuple[Contact, ...]:
         """What touches as things stand now, whether the engine looks for it or not; the forces are zero."""
-        if not self._left_out:
-            return read_contacts(self._collide(), self._owners)
-        self._look_only(frozenset())
-        found = read_contacts(self._collide(), self._owners)
-        self._look_only(self._left_out)
-        return found
+        return tuple(contact for _, contact in self._all())
 
     def _idle(self) -> frozenset[str]:
         """Labels of the shapes that can touch nothing that matters."""
@@ -82,35 +77,39 @@ class Touching:
 
     def _look_only(self, left_out: frozenset[str]) -> None:
         """Let the engine look for the contacts of all shapes but some, always in the same order."""
-        group = self._engine.getConstraintSolver().getCollisionGroup()
+        solver = self._engine.getConstraintSolver()
+        solver.clearLastCollisionResult()  # it would point to what the group forgets
+        group = solver.getCollisionGroup()
         group.update()
-        shapes = [
+        shapes = self._nodes()
+        for _, node in shapes:
+            group.removeShapeFrame(node)
+        for label, node in shapes:
+            if label not in left_out:
+                group.addShapeFrame(node)
+        found = self._all() if left_out else []
+        self.still = tuple(one for names, one in found if not left_out.isdisjoint(names))
+
+    def _nodes(self) -> list[tuple[str, Any]]:
+        """All shapes of the engine, by their labels."""
+        return [
             (label, node)
             for model in self._models.values()
             for label, (node, _) in model.built.shapes.items()
         ]
-        for _, node in shapes:
-            group.removeShapeFrame(node)
-        for _, node in shapes:
-            group.addShapeFrame(node)
-        self.still = self._contacts_of(left_out)
-        for label, node in shapes:
-            if label in left_out:
-                group.removeShapeFrame(node)
 
-    def _contacts_of(self, left_out: frozenset[str]) -> tuple[Contact, ...]:
-        if not left_out:
-            return ()
-        result = self._collide()
-        both = zip(result.getContacts(), read_contacts(result, self._owners), strict=True)
-        return tuple(one for raw, one in both if not left_out.isdisjoint(shape_names(raw)))
-
-    def _collide(self) -> Any:
+    def _all(self) -> list[tuple[tuple[str, str], Contact]]:
+        """The contacts of all shapes with their labels, found in a group apart: the engine keeps its last result."""
         collision = dart().collision
-        filter_ = self._engine.getConstraintSolver().getCollisionOption().collisionFilter
+        solver = self._engine.getConstraintSolver()
+        group = solver.getCollisionDetector().createCollisionGroup()
+        for _, node in self._nodes():
+            group.addShapeFrame(node)
         result = collision.CollisionResult()
-        self._engine.checkCollision(collision.CollisionOption(True, 1000, filter_), result)
-        return result
+        filter_ = solver.getCollisionOption().collisionFilter
+        group.collide(collision.CollisionOption(True, 1000, filter_), result)
+        names = [shape_names(one) for one in result.getContacts()]
+        return list(zip(names, read_contacts(result, self._owners), strict=True))
 
 
 @dataclass(frozen=True, slots=True)

@@ -112,3 +112,23 @@ def test_what_is_gone_is_not_hit(new_world, robot_plan, solid, at):
         world.step()
         assert {c.first.model for c in world.contacts()} <= {"hello_ros_robot", "ground_plane"}
         assert searched(world) == 0
+
+
+def test_asking_what_overlaps_leaves_the_last_contacts_alone(new_world, robot_plan, solid, at):
+    world = new_world()
+    arm = world.add(robot_plan("arm"), pose=at(z=-0.3))
+    arm.joint("shoulder").set_position(1.5)
+    world.run(SECOND // 10)
+    before = world.contacts()
+    assert {"upper_arm", "base_link"} <= {one.first.body for one in before} | {
+        one.second.body for one in before
+    }
+    for _ in range(20):
+        assert pairs(world.overlaps()) == pairs(before)
+        assert world.contacts() == before
+    arm.set_pose(at(z=0.5))
+    assert world.contacts() == before  # they are those of the last step
+    assert not world.overlaps()
+    world.step()
+    assert not world.contacts()
+    world.run(SECOND // 10)
