@@ -64,11 +64,24 @@ class Careful:
         built: What the engine made of it.
         led: Names of its joints that are on their way to a commanded position: their motion is not one
             that forces make, so that steps are plain while there are any.
+        driven: Names of its joints whose motors hold a speed: they need no kick.
     """
 
-    def __init__(self, plan: ModelPlan, built: Built, led: Collection[str] = ()) -> None:
+    def __init__(
+        self,
+        plan: ModelPlan,
+        built: Built,
+        *,
+        led: Collection[str] = (),
+        driven: Collection[str] = (),
+    ) -> None:
         self._swings = True
-        self._led = led
+        self._led, self._driven = led, driven
+        self._dofs = {
+            name: built.joints[name].getIndexInSkeleton(0)
+            for name, joint in plan.joints.items()
+            if joint.moves
+        }
         self._grace = GRACE
         self._skeleton = built.skeleton
         self._slowest = self._thresholds(plan, built)
@@ -149,6 +162,8 @@ class Careful:
         self._lack = skeleton.getAccelerations() - before
         if self._resists:
             self._lack += self._resistance(velocities, before, step_s)
+        for name in self._driven:
+            self._lack[self._dofs[name]] = 0.0
         longest, fastest = BURST, max(map(abs, velocities.tolist())) * step_s
         while longest > 1 and longest * fastest > TURN:
             longest //= 2

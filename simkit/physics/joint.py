@@ -43,6 +43,8 @@ class Ties:
     """The joints of the world that need attention in every step."""
     led: set[str]
     """Names of the joints of the model that are on their way to a position."""
+    driven: set[str]
+    """Names of the joints of the model whose motors hold a speed."""
     stirred: Callable[[], None]
     """To be called when it is driven in another way."""
     touched: Callable[[], None]
@@ -152,6 +154,7 @@ class ModelJoint:
             effort: Largest torque or force of the motor [N m or N]; the joint's own limit if None.
         """
         self._switch(Mode.VELOCITY, dart().dynamics.ActuatorType.SERVO)
+        self._ties.driven.add(self.name)
         bound = self.plan.effort if effort is None else abs(_number(effort, self.name))
         if bound != self._bound:
             self._bound = bound
@@ -232,6 +235,7 @@ class ModelJoint:
     def _rest(self) -> None:
         self._ties.busy.pop(id(self), None)
         self._ties.led.discard(self.name)
+        self._ties.driven.discard(self.name)
 
     def _within(self, position: float) -> float:
         return min(max(self._checked(position), self.plan.lower), self.plan.upper)

@@ -43,9 +43,13 @@ class Model:
         self.plan = plan
         self.led: set[str] = set()
         """Names of the joints that are on their way to a commanded position."""
+        self.driven: set[str] = set()
+        """Names of the joints whose motors hold a speed."""
         self.is_calm = False
         """Whether it was slow at the last look, and nothing was done to it since."""
-        ties = Ties(busy=busy, led=self.led, stirred=self._stir, touched=touched)
+        ties = Ties(
+            busy=busy, led=self.led, driven=self.driven, stirred=self._stir, touched=touched
+        )
         self.joints: Mapping[str, ModelJoint] = {
             one.name: ModelJoint(one, built.joints[one.name], ties)
             for one in plan.joints.values()

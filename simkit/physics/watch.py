@@ -45,7 +45,7 @@ class Watch:
 
     def __init__(self, model: Model) -> None:
         self.model = model
-        self.careful = Careful(model.plan, model.built, model.led)
+        self.careful = Careful(model.plan, model.built, led=model.led, driven=model.driven)
         self._skeleton = model.built.skeleton
         self._is_tame = is_tame(model.plan)
         self._is_fresh = True

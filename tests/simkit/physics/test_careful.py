@@ -56,6 +56,20 @@ def test_an_arm_that_is_led_is_not(new_world, robot_plan):
         assert not is_careful(world, "hello_ros_robot")
 
 
+def test_a_motor_that_holds_a_speed_holds_it_in_careful_steps_too(new_world, robot_plan):
+    world = new_world()
+    arm = world.add(robot_plan("arm"))
+    arm.joint("hip").command_velocity(5.0)
+    for _ in range(500):
+        world.step()
+        assert is_careful(world, "hello_ros_robot")
+        assert arm.joint("hip").velocity == pytest.approx(5.0, abs=1e-7)
+    assert abs(arm.joint("shoulder").velocity) > 0.5
+    arm.joint("hip").release()
+    world.run(SECOND // 5)
+    assert abs(arm.joint("hip").velocity - 5.0) > 0.1
+
+
 def test_an_arm_that_is_let_go_is(new_world, robot_plan):
     world = new_world()
     arm = world.add(robot_plan("arm"))
