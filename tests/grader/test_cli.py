@@ -1,8 +1,10 @@
 """The command line `grader`, in a small course."""
 
+import contextlib
 import json
 import os
 import signal
+import sqlite3
 import subprocess
 import sys
 import time
@@ -126,22 +128,36 @@ def test_verify_names_what_is_wrong(workbook, run, monkeypatch):
     assert "9_01_talk" in out
 
 
+def _stored(path):
+    """How many results a gradebook holds."""
+    if not path.exists():
+        return 0
+    with contextlib.closing(sqlite3.connect(path, timeout=60)) as connection:
+        try:
+            return connection.execute("select count(*) from result").fetchone()[0]
+        except sqlite3.OperationalError:  # it is being made
+            return 0
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="signals of another kind")
 def test_a_run_that_was_killed_goes_on_with_the_same_gradebook(course, run, tmp_path):
     course.checks("import time\ndef test_x(submission):\n    time.sleep(0.5)\n")
-    for number in range(4):
+    for number in range(8):
         path = f"in/student{number}/9_01_talk.ipynb"
         course.write(path, course.notebook(f"x = {number}\n"))
     words = ["grade", "in", "--jobs", "1", "--out"]
+    store = tmp_path / "killed" / "gradebook.sqlite"
     command = [sys.executable, "-m", "grader.cli", *words, str(tmp_path / "killed")]
     for number in (signal.SIGKILL, signal.SIGINT):
         process = subprocess.Popen(
             [*command, "--resume"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE
         )
-        time.sleep(2.0)
+        before = _stored(store)
+        while process.poll() is None and _stored(store) < before + 2:
+            time.sleep(0.05)
         process.send_signal(number)
-        _, err = process.communicate(timeout=20)
+        _, err = process.communicate(timeout=60)
         assert b"Traceback" not in err
         assert not (tmp_path / "killed" / "gradebook.json").exists()
     assert run(*words, tmp_path / "killed", "--resume")[0] == 0
