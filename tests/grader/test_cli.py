@@ -151,7 +151,11 @@ def test_a_run_that_was_killed_goes_on_with_the_same_gradebook(course, run, tmp_
     command = [sys.executable, "-m", "grader.cli", *words, str(tmp_path / "killed")]
     for number in (signal.SIGKILL, signal.SIGINT):
         process = subprocess.Popen(
-            [*command, "--resume"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE
+            [*command, "--resume"],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            # Tests that run in the background of a shell ignore Ctrl-C, and so would this one.
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
         )
         before = _stored(store)
         while process.poll() is None and _stored(store) < before + 2:
