@@ -1,7 +1,8 @@
 """Where a script runs: a process of its own, in lockstep with virtual time.
 
-`protocol` is what both sides say; `start`, `zygote`, `spawned` and `child` bring a process to life; `scheduler`,
-`virtual_time` and `client` are the node's side; `link`, `script_node` and `requests` are the graph's side.
+`protocol` is what both sides say; `start`, `zygote`, `spawned` and `child` bring a process to life. The node's side:
+`line`, `node_client`, `scheduler`, `virtual_time`; `client` hands them to rospy. The graph's side: `link`, `turns`,
+`script_node`, and `requests` with those of topics, services, parameters and rosout.
 """
 
 from simkit.graph.process.failure import NodeFailure

@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from simkit.graph.process import client as client_module
-from simkit.graph.process.client import NodeClient
 from simkit.graph.process.errors import describe, print_traceback
 from simkit.graph.process.limits import apply_limits
+from simkit.graph.process.node_client import NodeClient
 from simkit.graph.process.spec import StartSpec
 from simkit.graph.process.virtual_threads import virtualise_threading
 from simkit.graph.process.virtual_time import seed_everything, virtualise_time
@@ -49,7 +49,6 @@ def run_node(spec: StartSpec, connection: socket.socket, trace_file: int | None)
             client.scheduler.join(task)
     _run_exit_hooks()
     with contextlib.suppress(OSError):
-        client._flush_output()
         client.finish(code, failure)
     os._exit(code & 0xFF)
 

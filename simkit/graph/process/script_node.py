@@ -6,34 +6,29 @@ for is done by `requests`; what became of it is told by `failure`.
 
 from __future__ import annotations
 
-import codecs
 from dataclasses import replace
-from pathlib import Path
 
-from simkit.graph.executor import ScheduledEvent
+from simkit.errors import SimkitError
 from simkit.graph.graph import Graph
 from simkit.graph.log import LogLevel
-from simkit.graph.names import CommandLine, join
+from simkit.graph.names import CommandLine, join, resolve
 from simkit.graph.process import failure as failures
 from simkit.graph.process import protocol
 from simkit.graph.process.failure import NodeFailure
 from simkit.graph.process.link import Ended, Flooded, NodeLink, Stuck
 from simkit.graph.process.permissions import Permissions
-from simkit.graph.process.protocol import NEVER, Op, Outbox, ProtocolError
+from simkit.graph.process.printout import Printout
+from simkit.graph.process.protocol import Op, Outbox, ProtocolError
 from simkit.graph.process.requests import Requests
 from simkit.graph.process.runtime import NodeRuntime
 from simkit.graph.process.spec import StartSpec
 from simkit.graph.process.start import StartedProcess, StartError
+from simkit.graph.process.turns import Turns
 from simkit.graph.services import ServiceServer
 from simkit.graph.topics import Publisher, Subscription
 
-MILLISECOND = 1_000_000
-RESUMES_PER_INSTANT = 1000
-"""After so many turns at one instant a node waits a millisecond: two nodes that answer each other must not stop the clock."""
 MAX_FAULTS = 20
 """So many different faults of callbacks are kept."""
-PATIENCE_NS = 200_000_000
-"""What a node only stores waits for its next turn, if that comes within this time [ns]."""
 SHUTDOWN_GRACE_NS = 2_000_000_000
 """How long a node may live on after a shutdown request [ns of virtual time]."""
 
@@ -58,7 +53,7 @@ class ScriptNode:
         permissions: Permissions,
     ) -> None:
         self.graph = graph
-        self.name = join(command_line.namespace, command_line.node_name or _node_name(spec))
+        self.name = join(command_line.namespace, command_line.node_name or spec.node_name)
         self.command_line = command_line
         self.permissions = permissions
         self.publishers: list[Publisher] = []
@@ -75,14 +70,10 @@ class ScriptNode:
         self._process: StartedProcess | None = None
         self._link: NodeLink | None = None
         self._acting = False
-        self._output = bytearray()
-        self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
-        self._shown = 0
+        self._printout = Printout(lambda text: graph.show_output(self.name, text))
+        self._remappings: dict[str, str] = {}
         self._requests = Requests(self)
-        self._wake: ScheduledEvent | None = None
-        self._resume_event: ScheduledEvent | None = None
-        self._instant_ns = -1
-        self._resumes = 0
+        self._turns = Turns(graph.executor, self._resume, lambda: not self.outbox.is_empty)
         self._told_to_end = False
         self._start_event = graph.executor.call_soon(self._start)
 
@@ -98,7 +89,7 @@ class ScriptNode:
     @property
     def output(self) -> str:
         """What the node has printed so far, standard output and error in one."""
-        return self._output.decode("utf-8", "replace")
+        return self._printout.text
 
     @property
     def failure(self) -> NodeFailure | None:
@@ -154,25 +145,48 @@ class ScriptNode:
                 self._fail(failures.overwhelmed())
             return False
         self.outbox.add(op, *body)
-        if not (stored and self._wakes_soon()):
-            self.resume_soon()
+        if self._process is not None:
+            if stored:
+                self._turns.before_long()
+            else:
+                self._turns.soon()
         return True
-
-    def _wakes_soon(self) -> bool:
-        return (
-            self._wake is not None
-            and self._wake.time_ns <= self.graph.executor.now_ns + PATIENCE_NS
-        )
 
     def resume_soon(self) -> None:
         """Give the node a turn at this instant, with what waits in its outbox."""
-        if not self.alive or self._process is None or self._resume_event is not None:
-            return
-        now = self.graph.executor.now_ns
-        late = (
-            MILLISECOND if self._instant_ns == now and self._resumes >= RESUMES_PER_INSTANT else 0
-        )
-        self._resume_event = self.graph.executor.call_at(now + late, self._resume)
+        if self.alive and self._process is not None:
+            self._turns.soon()
+
+    # -- what its process asks
+
+    def take_name(self, name: str) -> None:
+        """Join the graph under a name.
+
+        Raises:
+            SimkitError: It cannot; the node keeps the name that it had.
+        """
+        before, self.name = self.name, name
+        try:
+            self._remappings = self.command_line.resolved_remappings(name)
+            self.graph.add_node(self)
+        except SimkitError:
+            self.name = before
+            raise
+
+    def resolve(self, name: str) -> str:
+        """The global name that a name stands for in this node.
+
+        Raises:
+            GraphError: It is not a legal name.
+        """
+        return resolve(name, self.name, self._remappings)
+
+    def refuse(self, sentence: str) -> dict[str, str]:
+        """Note, once, that the node reached for what it may not; the answer that it gets."""
+        if sentence not in self.refusals:
+            self.refusals.append(sentence)
+            self.graph.log(self.name, LogLevel.ERROR, f"refused: {sentence}")
+        return {"error": sentence}
 
     # -- its life
 
@@ -188,20 +202,13 @@ class ScriptNode:
         self._link = NodeLink(
             self._process, self._runtime.allowance, self._runtime.limits.output_bytes
         )
-        self._output = self._link.output
+        self._printout.data = self._link.output
         self._turn(send=False)
 
     def _resume(self) -> None:
-        for event in (self._wake, self._resume_event):
-            if event is not None:
-                event.cancel()
-        self._wake = self._resume_event = None
-        if not self.alive:
-            return
-        now = self.graph.executor.now_ns
-        self._resumes = self._resumes + 1 if now == self._instant_ns else 1
-        self._instant_ns = now
-        self._turn(send=True)
+        self._turns.begin()
+        if self.alive:
+            self._turn(send=True)
 
     def _turn(self, *, send: bool) -> None:
         self._acting = (
@@ -231,7 +238,7 @@ class ScriptNode:
                 self.outbox.add(Op.RESUME, protocol.pack_time(self.graph.executor.now_ns))
                 self._link.send(self.outbox.take())
             frame = self._link.receive()
-            self._show_output()
+            self._printout.show_news()
             last, body = self._requests.perform(frame)
             if last is Op.ASK:
                 send = True
@@ -240,32 +247,8 @@ class ScriptNode:
             if last is Op.EXIT:
                 self._leave(protocol.unpack_json(body))
             else:
-                self._sleep_until(*protocol.unpack_looks(body))
+                self._turns.sleep(*protocol.unpack_looks(body))
             return
-
-    def _show_output(self) -> None:
-        if self.graph.screen is None or self._shown == len(self._output):
-            return
-        text = self._decoder.decode(self._output[self._shown :])
-        self._shown = len(self._output)
-        if text:
-            self.graph.show_output(self.name, text)
-
-    def _sleep_until(self, wake_ns: int, period_ns: int, end_ns: int) -> None:
-        if wake_ns == NEVER:
-            return
-        now = self.graph.executor.now_ns
-        if wake_ns <= now and self._resumes >= RESUMES_PER_INSTANT:
-            wake_ns = now + MILLISECOND
-
-        def look() -> None:
-            here = self.graph.executor.now_ns
-            if here >= end_ns or not self.outbox.is_empty:
-                self._resume()
-            else:  # it would find what it found before
-                self._wake = self.graph.executor.call_at(here + period_ns, look)
-
-        self._wake = self.graph.executor.call_at(wake_ns, look if period_ns else self._resume)
 
     def _leave(self, last_words: object) -> None:
         self._end(kill=False)
@@ -304,7 +287,7 @@ class ScriptNode:
             )
         self._link.close()
         self._link = None
-        self._show_output()
+        self._printout.show_news()
 
     def _report_death(self) -> None:
         self.graph.log(
@@ -312,9 +295,3 @@ class ScriptNode:
             LogLevel.ERROR,
             f"process has died [exit code {self.exit_code}]: {self.failure}",
         )
-
-
-def _node_name(spec: StartSpec) -> str:
-    """Name of a script's node until it says its own."""
-    stem = Path(spec.script).stem
-    return "".join(c if c.isascii() and (c.isalnum() or c == "_") else "_" for c in stem) or "node"

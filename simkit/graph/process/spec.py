@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict, dataclass, field
+from pathlib import Path
 from typing import Any
 
 from simkit.graph.process.limits import NodeLimits
@@ -29,6 +30,13 @@ class StartSpec:
     """What the process may use."""
     drop_to_uid: int | None = None
     """User and group to become before the script runs (only root can)."""
+
+    @property
+    def node_name(self) -> str:
+        """Name of the node until the script says its own: that of its file."""
+        stem = Path(self.script).stem
+        legal = (c if c.isascii() and (c.isalnum() or c == "_") else "_" for c in stem)
+        return "".join(legal) or "node"
 
     def to_bytes(self) -> bytes:
         """As JSON."""

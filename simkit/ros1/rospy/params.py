@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from simkit.graph.process import client
-from simkit.graph.process.client import Refused
+from simkit.graph.process.node_client import Refused
 from simkit.graph.process.protocol import MAX_DEPTH, Op
 
 from .exceptions import ROSException

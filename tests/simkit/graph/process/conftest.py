@@ -60,7 +60,7 @@ class FakeRuntime:
 class Stage:
     """A graph with an honest node and a fake one."""
 
-    def __init__(self, *, allowance=2.0, permissions=None):
+    def __init__(self, *, allowance=60.0, permissions=None):
         self.graph = Graph(Executor())
         self.runtime = FakeRuntime(allowance)
         self.number = message_class("std_msgs/Int32")
