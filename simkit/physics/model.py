@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from simkit.errors import UnknownNameError
+from simkit.physics.braking import Brakes
 from simkit.physics.errors import PhysicsError
 from simkit.physics.joint import FARTHEST, STRONGEST, ModelJoint, Ties
 from simkit.physics.plan import JointKind, ModelPlan
@@ -69,9 +70,10 @@ class Model:
         if roots:
             self._to_model = inverse(_placement(roots[0].frame))
         self._pushed = pushed
-        self.is_braked = any(one.decay > 0.0 for one in plan.bodies.values())
-        """Whether it loses velocity by itself."""
-        self._braked = [built.bodies[one.name] for one in plan.bodies.values() if one.decay > 0.0]
+        self.brakes = Brakes(plan, built, pushed)
+        """What takes velocity from its bodies."""
+        self.placings = 0
+        """How often it was put somewhere."""
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -248,24 +250,6 @@ class Model:
         body.addExtTorque(list(torque), False)
         self._pushed.append(body)
 
-    def brake(self, step_s: float) -> None:
-        """Take from each body its share of velocity, in the next step.
-
-        Source:
-            `dampingFactor` of URDF, which is `velocity_decay` of SDF and, for ODE, a share of a step of 1 ms.
-        """
-        for body in self._braked:
-            decay = self.plan.bodies[body.getName()].decay
-            share = (1.0 - (1.0 - decay) ** (step_s / 1e-3)) / step_s
-            inertia, turn = body.getInertia(), body.getWorldTransform().rotation()
-            moment = turn @ inertia.getMoment() @ turn.T
-            linear, angular = body.getCOMLinearVelocity(), body.getAngularVelocity()
-            body.addExtForce(
-                -share * inertia.getMass() * linear, inertia.getLocalCOM(), False, True
-            )
-            body.addExtTorque(-share * moment @ angular, False)
-            self._pushed.append(body)
-
     def reset(self) -> None:
         """Back to where it was added: pose, joints at rest, nothing commanded."""
         for plan, joint in self._roots:
@@ -275,6 +259,7 @@ class Model:
         for one in self.joints.values():
             one.reset()
         self._pose = self.start
+        self.placings += 1
         self._touched()
 
     def _stir(self) -> None:
@@ -288,6 +273,7 @@ class Model:
 
     def _move(self, motion: Frame) -> None:
         """Move all of it by T_world_world."""
+        self.placings += 1
         turn = isometry(motion)
         for plan, joint in self._roots:
             if plan.kind is JointKind.FREE:

@@ -177,8 +177,7 @@ class Stepper:
         for joint in self.busy.values():
             joint.before_step(self._step_s)
         for watch in self.watches.values():
-            if watch.model.is_braked:
-                watch.model.brake(self._step_s)
+            watch.model.brakes.act(self._step_s)
         self._hurry(1)
         self._tidy()
         for hook in tuple(self.after):

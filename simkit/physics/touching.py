@@ -12,7 +12,6 @@ from simkit.physics.engine import dart
 from simkit.physics.model import Model
 from simkit.physics.poses import frame_of
 from simkit.physics.reach import Reach, reaches
-from simkit.urdf.kinematics import Placement
 
 MARGIN = 0.01
 """Shapes that cannot come nearer to each other do not touch [m]."""
@@ -43,10 +42,11 @@ class Touching:
 
     def refresh(self) -> None:
         """See who can touch whom; to be called when models came, went, or were put somewhere."""
-        places = tuple((model, _place(model)) for model in self._models.values())
-        if places == self._seen:
+        # What is free can touch everything wherever it is put; joints do not change how far a model reaches.
+        placed = tuple((one, 0 if one.is_free else one.placings) for one in self._models.values())
+        if placed == self._seen:
             return
-        self._seen = places
+        self._seen = placed
         left_out = self._idle()
         if left_out or self._left_out:
             self._look_only(left_out)
@@ -133,8 +133,3 @@ def _shapes_of(model: Model) -> Iterator[_Shape]:
     touches_itself = any(body.self_collide for body in model.plan.bodies.values())
     for body, number, reach in reaches(model.plan, frame_of(model.base)):
         yield _Shape(f"{model.name}::{body}::{number}", model.name, touches_itself, reach)
-
-
-def _place(model: Model) -> Placement | None:
-    """Where a model stands that stays there; None for one that can go anywhere."""
-    return None if model.is_free else model.base

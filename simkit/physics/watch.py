@@ -53,7 +53,7 @@ class Watch:
     @property
     def is_quiet(self) -> bool:
         """Whether the engine can be left alone with it."""
-        return self.model.is_calm and not self.model.is_braked
+        return self.model.is_calm and not self.model.brakes.are_on
 
     def start(self) -> None:
         """Something was done to it: anything may happen."""

@@ -70,7 +70,8 @@ def test_a_wall_within_reach_is_searched_and_one_beyond_is_not(
     assert not touched or far < 1.0
 
 
-def test_an_arm_that_is_put_down_can_touch_the_ground(new_world, robot_plan, at):
+@pytest.mark.parametrize("back", ["put", "reset"])
+def test_an_arm_that_is_put_down_can_touch_the_ground(new_world, robot_plan, at, back):
     world = new_world()
     arm = world.add(robot_plan("arm"))
     world.step()
@@ -80,7 +81,22 @@ def test_an_arm_that_is_put_down_can_touch_the_ground(new_world, robot_plan, at)
     world.run(SECOND // 10)
     assert searched(world) == 3  # the torso too is in the ground now, and may touch it
     assert frozenset(("upper_arm", "link")) in pairs(world.contacts())
-    arm.set_pose(at())
+    if back == "put":
+        arm.set_pose(at())
+    else:
+        world.reset()
+    world.step()
+    assert searched(world) == 0
+
+
+def test_moving_joints_from_outside_lets_nobody_look_again_who_can_touch_whom(
+    new_world, robot_plan, monkeypatch
+):
+    world = new_world()
+    arm = world.add(robot_plan("arm"))
+    world.step()
+    monkeypatch.setattr(Touching, "_idle", lambda self: pytest.fail("looked again"))
+    arm.set_joint_positions({"shoulder": 0.5})
     world.step()
     assert searched(world) == 0
 
