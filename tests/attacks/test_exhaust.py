@@ -96,7 +96,7 @@ FLOODS = {
     "print": "while True: print('x' * 10**6)",
     "error output": "import sys\nwhile True: sys.stderr.write('x' * 10**6)",
     "binary": "import os\nwhile True: os.write(1, bytes(range(256)) * 10_000)",
-    "empty lines": "while True: print()",
+    "empty lines": "while True: print('\\n' * 10_000)",
 }
 
 

@@ -112,4 +112,6 @@ def test_a_slider_can_be_moved_while_a_cell_runs(sliders):
     page.drag(".noUi-handle", 0, 50)
     page.run("running.then(() => true)")
     assert sliders.output(3).strip() == "done"
-    assert asked(sliders, 2)[0] > 0.5
+    # While the kernel is busy, Jupyter keeps the latest value back; it comes when the cell has ended.
+    hips = (asked(sliders, 2)[0] for _ in range(100))
+    assert any(hip > 0.5 for hip in hips)
