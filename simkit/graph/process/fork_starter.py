@@ -21,6 +21,7 @@ from simkit.graph.process.starter import (
     clean_environment,
     python_command,
 )
+from simkit.graph.process.usage import Usage
 
 
 class ForkStarter(Starter):
@@ -80,6 +81,14 @@ class ForkStarter(Starter):
         """Through the warm parent, which alone knows the process by that id."""
         with contextlib.suppress(StartError):
             self._request({"do": "signal", "pid": pid, "signal": int(number)})
+
+    def usage(self, pid: int) -> Usage | None:
+        """Through the warm parent."""
+        try:
+            told = self._request({"do": "usage", "pid": pid})["usage"]
+        except StartError:
+            return None
+        return None if told is None else Usage(**told)
 
     def end(self, pid: int, *, kill: bool) -> int | None:
         """Through the warm parent."""

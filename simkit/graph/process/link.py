@@ -29,19 +29,25 @@ class Ended(Exception):
     """The node closed its end."""
 
 
+STARVING = 3.0
+"""So many times its allowance may a turn last if the machine is too busy to let the node compute."""
+LEAST_WAIT = 0.05
+"""A node that was kept from computing gets at least so much more time at once [s]."""
+
+
 class NodeLink:
     """Sends and receives frames; collects what the node prints.
 
     Args:
         process: The started node.
-        allowance: Wall time for one turn of the node [s].
+        allowance: Time for one turn of the node [s]: on the wall, but what others took of a busy machine does not count.
         output_bytes: How much the node may print.
     """
 
     def __init__(self, process: StartedProcess, allowance: float, output_bytes: int) -> None:
         self._process = process
         self._allowance = allowance
-        self._deadline = 0.0
+        self._deadline = self._last_deadline = 0.0
         self._room = output_bytes
         self._frames = protocol.FrameReader()
         self._output_open = True
@@ -51,7 +57,9 @@ class NodeLink:
 
     def begin_turn(self) -> None:
         """From now on the node's allowance runs, however many frames it sends."""
-        self._deadline = time.monotonic() + self._allowance
+        now = time.monotonic()
+        self._deadline = now + self._allowance
+        self._last_deadline = now + STARVING * self._allowance
 
     def send(self, frame: bytes) -> None:
         """Send a frame; a node that does not read in time is stuck."""
@@ -71,7 +79,11 @@ class NodeLink:
             ProtocolError: It is not a frame.
         """
         while (frame := self._frames.next_frame()) is None:
-            self._wait(self._deadline - time.monotonic())
+            timeout = self._deadline - time.monotonic()
+            if timeout > 0:
+                self._wait(timeout)
+            else:
+                self._extend()
         self.drain()
         return frame
 
@@ -101,9 +113,15 @@ class NodeLink:
         text = _read_for(self._process.trace_fd, seconds=1.0)
         return most_telling_stack(text)
 
-    def _wait(self, timeout: float) -> None:
-        if timeout <= 0:
+    def _extend(self) -> None:
+        """More time for a node that would compute and could not have used up its allowance yet."""
+        usage, now = self._process.usage(), time.monotonic()
+        unused = self._allowance - usage.cpu_s if usage and usage.is_computing else 0.0
+        if unused <= 0.0 or now >= self._last_deadline:
             raise Stuck
+        self._deadline = min(now + max(unused, LEAST_WAIT), self._last_deadline)
+
+    def _wait(self, timeout: float) -> None:
         watched: list[Source] = [self._connection]
         if self._output_open:
             watched.append(self._output)

@@ -20,6 +20,7 @@ from simkit.graph.process.starter import (
     clean_environment,
     python_command,
 )
+from simkit.graph.process.usage import Usage, usage_of
 
 _LOOK = 0.2
 """How often to look whether a process that was started still lives [s]."""
@@ -76,6 +77,10 @@ class SpawnStarter(Starter):
     def signal(self, pid: int, number: int) -> None:
         """Directly."""
         self._processes[pid].send_signal(number)
+
+    def usage(self, pid: int) -> Usage | None:
+        """Directly."""
+        return usage_of(pid)
 
     def end(self, pid: int, *, kill: bool) -> int | None:
         """Reap it; what it started in its own session ends with it where the platform has sessions."""

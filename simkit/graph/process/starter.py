@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from simkit.errors import SimkitError
 from simkit.graph.process.spec import StartSpec
+from simkit.graph.process.usage import Usage
 
 START_TIMEOUT = 30.0
 """Wall time within which a started process must answer [s]."""
@@ -41,6 +42,10 @@ class StartedProcess:
         if hasattr(signal, "SIGUSR1"):
             self.starter.signal(self.pid, signal.SIGUSR1)
 
+    def usage(self) -> Usage | None:
+        """How much of a processor it has had; None if nobody can tell."""
+        return self.starter.usage(self.pid)
+
     def end(self, *, kill: bool) -> int | None:
         """Reap it and all that it left behind; its exit code, negative for a signal, None if unknown."""
         return self.starter.end(self.pid, kill=kill)
@@ -56,6 +61,10 @@ class Starter(ABC):
     @abstractmethod
     def signal(self, pid: int, number: int) -> None:
         """Send a signal to a node process."""
+
+    @abstractmethod
+    def usage(self, pid: int) -> Usage | None:
+        """How much of a processor a node process has had; None if nobody can tell."""
 
     @abstractmethod
     def end(self, pid: int, *, kill: bool) -> int | None:

@@ -20,11 +20,13 @@ import signal
 import socket
 import sys
 import time
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 from simkit.graph.process.child import make_modules_importable, run_node
 from simkit.graph.process.spec import StartSpec
+from simkit.graph.process.usage import usage_of
 
 # Not tf2_geometry_msgs: a script imports it for what its import does, and must not find that done.
 PRELOAD = (
@@ -67,6 +69,9 @@ class Zygote:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(request["pid"], request["signal"])
             self._answer({})
+        elif request["do"] == "usage":
+            usage = usage_of(request["pid"])
+            self._answer({"usage": usage and asdict(usage)})
         elif request["do"] == "end":
             self._answer({"status": self._end(request["pid"], kill=request["kill"])})
 

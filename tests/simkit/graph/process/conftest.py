@@ -28,6 +28,9 @@ class FakeStarter(Starter):
     def signal(self, pid, number):
         """Nobody is there."""
 
+    def usage(self, pid):
+        return None
+
     def end(self, pid, *, kill):
         self.ended.append(kill)
         return 0

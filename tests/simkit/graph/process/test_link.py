@@ -8,9 +8,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from simkit.graph.process.link import Ended, Flooded, NodeLink, Stuck, most_telling_stack
+from simkit.graph.process.link import (
+    STARVING,
+    Ended,
+    Flooded,
+    NodeLink,
+    Stuck,
+    most_telling_stack,
+)
 from simkit.graph.process.protocol import Op, Outbox, ProtocolError
 from simkit.graph.process.start import StartedProcess
+from simkit.graph.process.usage import Usage
 
 
 class Wire:
@@ -21,6 +29,7 @@ class Wire:
         output, self.printer = os.pipe()
         trace, self.tracer = os.pipe()
         self.asked = 0
+        self.used = lambda: None
         process = StartedProcess(connection, output, trace, 1, self)
         self.link = NodeLink(process, allowance, output_bytes)
         self.link.begin_turn()
@@ -29,6 +38,10 @@ class Wire:
         """What a starter does for `ask_stack`."""
         self.asked += 1
         os.write(self.tracer, STACK.encode())
+
+    def usage(self, _pid):
+        """What a starter does for `usage`."""
+        return self.used()
 
     def close(self):
         self.link.close()
@@ -109,6 +122,46 @@ def test_silence_is_a_stuck_node_after_its_allowance(make_wire):
     with pytest.raises(Stuck):
         wire.link.receive()
     assert time.monotonic() - start >= 0.1
+
+
+def test_a_node_that_the_machine_kept_from_computing_gets_more_time(make_wire):
+    wire = make_wire(allowance=0.1)
+    looks = []
+
+    def used():
+        looks.append(time.monotonic())
+        if len(looks) == 2:
+            wire.node.sendall(_frame(b"at last"))
+        return Usage(cpu_s=0.01, is_computing=True)
+
+    wire.used = used
+    assert wire.link.receive() == _frame(b"at last")[4:]
+
+
+def test_it_does_not_get_time_for_ever(make_wire):
+    wire = make_wire(allowance=0.1)
+    wire.used = lambda: Usage(cpu_s=0.0, is_computing=True)
+    start = time.monotonic()
+    with pytest.raises(Stuck):
+        wire.link.receive()
+    assert time.monotonic() - start >= STARVING * 0.1
+
+
+@pytest.mark.parametrize(
+    "usage", [Usage(cpu_s=0.1, is_computing=True), Usage(cpu_s=0.0, is_computing=False), None]
+)
+def test_one_that_has_computed_enough_or_does_not_compute_is_stuck(make_wire, usage):
+    wire = make_wire(allowance=0.1)
+    looks = []
+
+    def used():
+        looks.append(usage)
+        return usage
+
+    wire.used = used
+    with pytest.raises(Stuck):
+        wire.link.receive()
+    assert looks == [usage]
 
 
 def test_the_allowance_is_for_the_turn_not_for_each_frame(make_wire):

@@ -91,6 +91,16 @@ def test_exit_codes_and_failures_are_told(start):
     assert "simkit" not in output
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells how much a process has used")
+def test_one_is_told_how_much_of_a_processor_a_node_has_had(start):
+    process = start("while True: pass")
+    while process.usage().cpu_s < 0.1:
+        time.sleep(0.01)
+    assert process.usage().is_computing
+    _finish(process, kill=True)
+    assert process.usage() is None
+
+
 def test_a_script_can_import_what_lies_beside_it_and_the_ros_modules(start, tmp_path):
     (tmp_path / "helper.py").write_text("VALUE = 42")
     text = (
