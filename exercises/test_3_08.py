@@ -4,13 +4,22 @@ import math
 
 import pytest
 
-from grader.checks import after, expect, expect_close, expect_close_angle, points
+from grader.checks import after, expect, expect_close, points
 from grader.checks.answers import given_answer
-from grader.checks.moved_robot import MovedRobot, require_joint
-from grader.checks.robots import RobotFiles, expect_chain, expect_silver_cylinder, slider_of
+from grader.checks.moved_robot import MovedRobot, SeenRobot, expect_to_follow, require_joint
+from grader.checks.personal import name_of, pose_of
+from grader.checks.robots import (
+    RobotFiles,
+    expect_chain,
+    expect_firm,
+    expect_silver_cylinder,
+    slider_of,
+)
+from simkit.diagnostics import Severity
 
 ROBOT = "hello_ros_robot_3.urdf"
 LAUNCH = "urdf_launch_3.launch"
+WAYS = (("backward", "forward"), ("to the right", "to the left"), ("down", "up"))
 
 
 @pytest.fixture
@@ -58,9 +67,18 @@ def expect_the_arm(moved, *, hip, shoulder, hint):
 
 @points(1)
 def test_check_urdf_takes_your_robot(robots):
-    """check_urdf finds nothing wrong with hello_ros_robot_3.urdf: a chain from world to upper_arm."""
+    """ROS accepts hello_ros_robot_3.urdf: a chain from world to upper_arm, on a base that is fixed."""
+    robots.expect_clean(ROBOT, severity=Severity.ERROR)
+    robot = robots.robot(ROBOT)
+    expect_chain(robot, "world", "base_link", "torso", "upper_arm")
+    expect_firm(robot, "base_link")
+
+
+@points(1)
+@after("test_check_urdf_takes_your_robot")
+def test_check_urdf_finds_nothing_wrong(robots):
+    """check_urdf has no warning about hello_ros_robot_3.urdf either."""
     robots.expect_clean(ROBOT)
-    expect_chain(robots.robot(ROBOT), "world", "base_link", "torso", "upper_arm")
 
 
 @points(1)
@@ -71,16 +89,26 @@ def test_the_upper_arm_has_its_shape(robots):
 
 
 @points(1)
-@after("test_the_upper_arm_has_its_shape")
+@after("test_check_urdf_takes_your_robot")
 def test_at_zero_the_arm_points_forward(moved):
     """With both joints at 0 the arm points forward, level with the ground, from the shoulder beside the torso."""
+    moved.move(hip=0.0, shoulder=0.0)
     expect_the_arm(
         moved,
         hip=0.0,
         shoulder=0.0,
-        hint="The shoulder is at 0 -0.1 0.45 on the torso, turned by rpy 0 1.5708 0. The middle of the arm is "
-        "half its length along the z axis of its own frame.",
+        hint=f"Your arm points {pointing(*moved.ends('upper_arm'))}. The shoulder is at 0 -0.1 0.45 on the torso, "
+        "turned by rpy 0 1.5708 0, and so the arm points forward. The middle of the arm is half its length along the "
+        "z axis of its own frame.",
     )
+
+
+def pointing(one, other):
+    """In words, which way an arm points whose ends these are; the end nearer to the shoulder is its beginning."""
+    near, far = sorted((one, other), key=lambda end: math.dist(end, arm_at(0.0, 0.0)[0]))
+    along = [b - a for a, b in zip(near, far, strict=True)]
+    axis = max(range(3), key=lambda number: abs(along[number]))
+    return WAYS[axis][along[axis] > 0]
 
 
 @points(2)
@@ -107,52 +135,95 @@ def test_the_joints_carry_the_arm(moved, rng):
     )
 
 
-@points(2)
+@points(1)
 @after("test_check_urdf_takes_your_robot")
-def test_the_launch_file_brings_two_sliders(sim, roslaunch):
-    """After the launch tf knows upper_arm, and two sliders move hip and shoulder."""
+def test_the_launch_file_brings_two_sliders(sim, roslaunch, robots):
+    """After the launch tf knows upper_arm, and two sliders move the arm."""
     launched = roslaunch(LAUNCH)
-    names = [name for name in sim.nodes() if name != "/simkit"]
+    nodes = [name for name in sim.nodes() if name != "/simkit"]
     expect(
         sim.run_until(lambda: sim.tf.can_transform("world", "upper_arm"), 2.0),
         "2 s after the launch tf does not know upper_arm, seen from world",
         hint="robot_state_publisher makes the frames, joint_state_publisher says the angles, and both need "
-        f"robot_description. Nodes that run: {', '.join(names) or 'none'}.",
+        f"/robot_description. Nodes that run: {', '.join(nodes) or 'none'}. "
+        f"Parameters: {', '.join(sim.params.names()[:5]) or 'none'}.",
     )
     slider = slider_of(launched)
     for joint, angle in (("hip", 0.5), ("shoulder", -0.25)):
+        expect(
+            joint in [one.name for one in slider.joints],
+            f"there is no slider for the joint {joint}",
+            hint="A slider is shown for each joint of robot_description that can move.",
+        )
         slider.set_position(joint, angle)
     sim.run(0.3)
-    state = sim.latest("/joint_states")
-    angles = dict(zip(state.name, state.position, strict=True))
-    expect_close(
-        (angles.get("hip"), angles.get("shoulder")),
-        (0.5, -0.25),
-        tolerance=1e-3,
-        what="the angles of hip and shoulder after their sliders were moved",
-        unit="rad",
-    )
+    seen = SeenRobot(sim, robots.robot(ROBOT))
+    expect_to_follow(seen, robots.text(ROBOT), "upper_arm", hip=0.5, shoulder=-0.25)
 
 
 @points(2)
 def test_your_answers(submission):
     """The answers say where the tip is, and at which angles the arm points up and down."""
-    for name, hip in (("tip_at_zero", 0.0), ("tip_turned", math.pi / 2)):
-        expect_close(
-            given_answer(submission, name),
-            arm_at(hip, 0.0)[1],
-            tolerance=0.01,
-            what=name,
-            unit="m",
-            frame="world",
-            hint="Go from the tip to the ground: the length of the arm, the shoulder's place on the torso, "
-            "the turn of the hip, the height of the base. Or move the sliders, and look.",
-        )
+    expect_the_tip(submission, "tip_at_zero", hip=0.0, shoulder=0.0)
     for name, right in (("shoulder_raised", -math.pi / 2), ("shoulder_hanging", math.pi / 2)):
-        expect_close_angle(
-            given_answer(submission, name),
-            right,
-            tolerance=0.03,
-            what=name,
+        told = given_answer(submission, name)
+        expect(
+            isinstance(told, int | float) and abs(math.remainder(told - right, math.tau)) < 0.03,
+            f"{name} is not right",
             hint="A positive angle of the shoulder lowers the arm. Angles are in radians: a quarter turn is 1.5708.",
         )
+    pose = pose_of(name_of(submission, "student"))
+    expect_the_tip(submission, "tip_in_your_pose", hip=pose.hip, shoulder=pose.shoulder)
+
+
+def expect_the_tip(submission, answer, *, hip, shoulder):
+    """An answer says where the tip is at these angles; what is often forgotten is told by name."""
+    told = given_answer(submission, answer)
+    expect(
+        is_near(told, arm_at(hip, shoulder)[1]),
+        f"{answer} is not where the tip is with the hip at {hip:g} and the shoulder at {shoulder:g} rad",
+        hint=slip_in(told, hip, shoulder)
+        or "Three numbers in metres. Go from the tip to the ground: the length of the arm, the shoulder's place on "
+        "the torso, the turn of the hip, the height of the base. Or move the sliders, and look.",
+    )
+
+
+def slip_in(told, hip, shoulder):
+    """What went wrong, if it is one of the usual slips; else an empty text."""
+    x, y, z = arm_at(hip, shoulder)[1]
+    reach, rise = 0.4 * math.cos(shoulder), -0.4 * math.sin(shoulder)
+    back, aside = 0.1 * math.sin(hip), -0.1 * math.cos(hip)
+    slips = {
+        (x, y, z - 0.05): "The base is forgotten: it lifts all by 0.05 m.",
+        (
+            x,
+            y,
+            z - 0.5,
+        ): "These heights count from the shoulder: it is 0.45 m up the torso, on a base of 0.05 m.",
+        (
+            x - back,
+            y - aside,
+            z,
+        ): "The shoulder is beside the torso, not in it: 0.1 m to the right.",
+        arm_at(hip, -shoulder)[1]: "A positive angle of the shoulder LOWERS the arm.",
+        arm_at(-hip, shoulder)[
+            1
+        ]: "A positive angle of the hip turns the torso to the LEFT, seen from above.",
+        (reach, -0.1, 0.5 + rise): "Here the shoulder has turned, but not the hip.",
+        arm_at(hip, shoulder)[0]: "That is where the shoulder is; the tip is 0.4 m farther on.",
+        arm_at(math.radians(hip), math.radians(shoulder))[
+            1
+        ]: "The angles are in radians, not in degrees.",
+    }
+    for place, words in slips.items():
+        if is_near(told, place) and not is_near(told, (x, y, z)):
+            return words
+    return ""
+
+
+def is_near(told, place):
+    """Whether an answer is a place, to a centimetre."""
+    try:
+        return math.dist(told, place) < 0.01
+    except (TypeError, ValueError, OverflowError):
+        return False

@@ -41,6 +41,8 @@ class UnknownNameError(SimkitError, KeyError):
         near = near_names(self.name, self.known)
         if near:
             text += "; did you mean " + " or ".join(repr(n) for n in near) + "?"
+        elif self.known:
+            text += ";"
         if self.known:
             shown = ", ".join(self.known[:12])
             more = len(self.known) - 12

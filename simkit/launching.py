@@ -44,8 +44,8 @@ class Launching:
         """What a launch file comes to: its parameters and nodes. Nothing is set or started.
 
         Args:
-            package_or_path: Package that has the file, or the path of the file.
-            file: Name of the launch file in the package; None with a path.
+            package_or_path: Package that has the file, the path of the file, or its text (what has a `<` in it).
+            file: Name of the launch file in the package; None with a path or a text.
             *arguments: `name:=value` for its arguments.
 
         Raises:
@@ -54,12 +54,15 @@ class Launching:
         from simkit.launch import evaluate, find_launch_file, given_arguments
 
         words = [str(package_or_path), *([] if file is None else [file]), *arguments]
-        path, rest = find_launch_file(words, self.packages)
+        source: Path | str = words[0]
+        rest = words[1:]
+        if "<" not in words[0]:
+            source, rest = find_launch_file(words, self.packages)
         given = given_arguments(rest)
-        old = [one for one in self._launches if one.is_of(str(path), given)]
+        old = [one for one in self._launches if one.is_of(str(source), given)]
         taken = set(self.graph.nodes).difference(*(one.nodes for one in old))
         return evaluate(
-            path, packages=self.packages, arguments=given, anonymous=_Anonymous(taken).name
+            source, packages=self.packages, arguments=given, anonymous=_Anonymous(taken).name
         )
 
     def roslaunch(
@@ -75,7 +78,7 @@ class Launching:
         A launch of the same file with the same arguments that still runs is ended first.
 
         Args:
-            package_or_path: Package that has the file, the path of the file, or what `launch_plan` gave.
+            package_or_path: Package that has the file, the path or text of the file, or what `launch_plan` gave.
             file: Name of the launch file in the package; None otherwise.
             *arguments: `name:=value` for its arguments.
             permissions: What the file and its nodes may do; anything if None.

@@ -69,6 +69,11 @@ class PackagePath:
         self.folders = [Path(folder).absolute() for folder in [*given, *more]]
         self.confined = confined
 
+    def prefer(self, folders: Sequence[str | Path]) -> None:
+        """Look in these folders first from now on, then in the others."""
+        first = [Path(folder).absolute() for folder in folders]
+        self.folders = [*first, *(folder for folder in self.folders if folder not in first)]
+
     def may_read(self, path: str | Path) -> bool:
         """Whether a file that somebody's launch file or robot names may be opened.
 

@@ -79,7 +79,7 @@ class Seeing:
         alpha: float = 1.0,
         show_tf: bool = True,
         show_grid: bool = True,
-        description: str = "/robot_description",
+        description: str | Iterable[str] | Mapping[str, str] = "/robot_description",
         live: bool = False,
     ) -> RvizView | LiveRviz:
         """Frames, robot and topics in 3D, to turn and zoom.
@@ -96,14 +96,15 @@ class Seeing:
             alpha: Opacity of the robot, from 0 to 1.
             show_tf: Whether axes and names of the frames are seen at first.
             show_grid: Whether the grid is seen at first.
-            description: Parameter with the URDF of the robot.
+            description: Parameter with the URDF of the robot. For several robots, or one whose frames have a
+                tf_prefix, such parameters with the prefix of each: `{"/left/robot_description": "left"}`.
             live: Whether the view follows the simulation, for which this process serves it on 127.0.0.1.
 
         Raises:
             UnknownNameError: A topic is not in use and no type is given.
             SimkitError: No display shows messages of a topic's type.
         """
-        from simkit.viz import RvizSettings, RvizView, display_of
+        from simkit.viz import RvizSettings, RvizView, display_of, robot_displays
 
         settings = RvizSettings(
             fixed_frame=fixed_frame,
@@ -112,7 +113,7 @@ class Seeing:
             alpha=alpha,
             show_tf=show_tf,
             show_grid=show_grid,
-            description=description,
+            robots=robot_displays(description),
             topics=tuple(
                 display_of(name, cls._type, keep=keep)
                 for name, cls in self._message_classes(topics).items()
@@ -129,7 +130,7 @@ class Seeing:
         *,
         robot_model: str | None = "visual",
         alpha: float = 1.0,
-        description: str = "/robot_description",
+        description: str | Iterable[str] | Mapping[str, str] = "/robot_description",
         keep: int = 100,
     ) -> RvizReplay:
         """What RViz showed during a recording, to be played again; `save("run.html")` keeps it.
@@ -141,16 +142,16 @@ class Seeing:
             fixed_frame: Frame that stands still; the others are drawn in it.
             robot_model: Which shapes of the robot are seen at first: "visual", "collision", or None for no robot.
             alpha: Opacity of the robot, from 0 to 1.
-            description: Parameter with the URDF of the robot.
+            description: As for `rviz`.
             keep: So many arrows of odometry are kept.
         """
-        from simkit.viz import RvizReplay, RvizSettings, displays_of
+        from simkit.viz import RvizReplay, RvizSettings, displays_of, robot_displays
 
         settings = RvizSettings(
             fixed_frame=fixed_frame,
             robot_model=robot_model,
             alpha=alpha,
-            description=description,
+            robots=robot_displays(description),
             topics=displays_of(recording.types(), keep=keep),
         )
         robot = self._scene_source(settings).robot()
@@ -180,13 +181,18 @@ class Seeing:
         Raises:
             SimkitError: None runs, or none of that name.
         """
-        from simkit.viz import JointSliders
+        from simkit.viz import JointSliders, RvizSettings, RvizView
 
         gui = self._newest_gui(node)
         for known in self._sliders:
             if known.gui is gui:
                 return known
-        sliders = JointSliders(gui, run=while_it_lives(self))
+        source = self._scene_source(RvizSettings(fixed_frame=""))
+        sliders = JointSliders(
+            gui,
+            run=while_it_lives(self),
+            picture=lambda: RvizView(source.scene()).thumbnail(),
+        )
         self._sliders.append(sliders)
         self._views.append(sliders.refresh)
         return sliders

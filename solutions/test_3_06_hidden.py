@@ -6,6 +6,7 @@ import pytest
 
 from grader.checks import after, expect_close, points
 from grader.checks.robots import RobotFiles, only_visual
+from grader.checks.rotations import about_z, apart, rotation_of
 
 
 @pytest.fixture
@@ -36,11 +37,33 @@ def test_the_signpost_is_the_one_that_was_meant(signpost):
         unit="m",
         hint=hint,
     )
+    for link, size, middle in (
+        ("base_link", (0.4, 0.4, 0.1), (0.0, 0.0, 0.05)),
+        ("sign", (0.3, 0.02, 0.1), (0.0, 0.0, 0.0)),
+    ):
+        box = only_visual(signpost, link)
+        expect_close(
+            (*getattr(box.geometry, "size", (0.0, 0.0, 0.0)), *box.origin.xyz),
+            (*size, *middle),
+            tolerance=1e-6,
+            what=f"the size of the box of {link}, and its middle",
+            unit="m",
+            hint="A line that is wrong is to be mended, not to be deleted.",
+        )
     nail = signpost.joint_above("sign").origin
     expect_close(
-        (*nail.xyz, *nail.rpy),
-        (0.0, 0.0, 0.75, 0.0, 0.0, math.pi / 2),
+        nail.xyz,
+        (0.0, 0.0, 0.75),
         tolerance=2e-3,
-        what="xyz and rpy of the nail",
+        what="the place of the nail on the pole",
+        unit="m",
+        hint=hint,
+    )
+    expect_close(
+        apart(rotation_of(*nail.rpy), about_z(math.pi / 2)),
+        0.0,
+        tolerance=2e-3,
+        what="how far the sign is from a quarter turn about z",
+        unit="rad",
         hint="The sign is turned by a quarter turn about z: rpy is in radians.",
     )

@@ -22,6 +22,7 @@ MAY_IMPORT = {
     # pure: no node, no clock
     "simkit.errors": "",
     "simkit.record": "",
+    "simkit.saving": "simkit.errors",
     "simkit.msgs": "simkit.errors",
     "simkit.tf": "simkit.errors simkit.msgs",
     "simkit.xml": "simkit.record",
@@ -32,7 +33,7 @@ MAY_IMPORT = {
     "simkit.tf.broadcaster": "simkit.msgs simkit.tf simkit.graph",
     "simkit.tf.listener": "simkit.msgs simkit.tf simkit.graph",
     "simkit.tools": "simkit.errors simkit.msgs simkit.graph simkit.tf",
-    "simkit.nodes": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tools simkit.packages",
+    "simkit.nodes": "simkit.errors simkit.saving simkit.msgs simkit.graph simkit.tf simkit.tools simkit.packages",
     "simkit.nodes.robot_state_publisher": "simkit.errors simkit.msgs simkit.graph simkit.tf "
     "simkit.tools simkit.urdf",
     "simkit.nodes.joint_state_publisher": "simkit.errors simkit.msgs simkit.graph simkit.tools "
@@ -62,9 +63,9 @@ MAY_IMPORT = {
     "simkit.nodes simkit.packages simkit.recording simkit.running simkit.seeing simkit.talking "
     "simkit.launch simkit.launching simkit.plotting simkit.seeing_world simkit.simulating simkit.steering",
     # pictures of what is known; a simulation hands them out, lazily
-    "simkit.viz": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tools simkit.nodes "
-    "simkit.nodes.joint_state_publisher simkit.packages simkit.recording simkit.urdf",
-    "simkit.viz.world": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.packages simkit.physics "
+    "simkit.viz": "simkit.errors simkit.saving simkit.msgs simkit.graph simkit.tf simkit.diagnostics simkit.tools "
+    "simkit.nodes simkit.nodes.joint_state_publisher simkit.packages simkit.recording simkit.urdf",
+    "simkit.viz.world": "simkit.errors simkit.saving simkit.msgs simkit.graph simkit.tf simkit.packages simkit.physics "
     "simkit.recording simkit.urdf simkit.urdf.rules simkit.viz simkit.xml",
     # on top: a simulation on the clock of the wall, and the command line
     "simkit.live": "simkit.errors simkit.launch simkit.msgs simkit.graph simkit.tf simkit.nodes "

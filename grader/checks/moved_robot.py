@@ -6,51 +6,32 @@ robot_state_publisher broadcasts its frames, and the angles come in messages on 
 
 from __future__ import annotations
 
-from grader.checks.rotations import Point, Rotation, dot, of_quaternion, rotation_of
+import math
+
+from grader.checks.robots import cylinder_of
+from grader.checks.rotations import Point, Rotation, apart, dot, of_quaternion, rotation_of
 from grader.errors import CheckFailed
 from simkit import Simulation
 from simkit.tf import TransformException
-from simkit.urdf import Cylinder, Robot
+from simkit.urdf import Robot
 
 _SETTLE = 0.1
 "Time after which tf has heard of new angles [s]."
+_NEAR = 1e-3
+"How far tf may be from where a link is [m] and [rad]."
 
 
-class MovedRobot:
-    """A robot on the graph, to be moved and measured.
+class SeenRobot:
+    """A robot whose frames somebody broadcasts, to be measured.
 
     Args:
-        sim: A simulation without another robot.
+        sim: The simulation.
         robot: The robot, as it was read.
-        text: The same as the text of its URDF.
     """
 
-    def __init__(self, sim: Simulation, robot: Robot, text: str) -> None:
-        self._sim = sim
-        self._robot = robot
-        self._angles: dict[str, float] = {}
-        sim.params.set("/robot_description", text)
-        sim.rosrun("robot_state_publisher", "robot_state_publisher")
-        sim.run(_SETTLE)
-
-    def move(self, **angles: float) -> None:
-        """Bring joints to angles [rad]; those that are not named keep theirs.
-
-        Raises:
-            CheckFailed: The robot has no such joint, or it cannot be moved.
-        """
-        for name in angles:
-            require_joint(self._robot, name)
-        # All of them, also those that stay: tf answers for a time at which it knows of each joint on the way.
-        self._angles.update(angles)
-        message = {
-            "header": "auto",
-            "name": list(self._angles),
-            "position": list(self._angles.values()),
-        }
-        node = self._sim.rostopic_pub("/joint_states", "sensor_msgs/JointState", message)
-        self._sim.run(_SETTLE)
-        node.shutdown()
+    def __init__(self, sim: Simulation, robot: Robot) -> None:
+        self.sim = sim
+        self.robot = robot
 
     def pose(self, link: str, *, seen_from: str = "world") -> tuple[Point, Rotation]:
         """Where a link's frame is, and its axes as the columns of a rotation matrix.
@@ -59,7 +40,7 @@ class MovedRobot:
             CheckFailed: tf does not know.
         """
         try:
-            found = self._sim.tf.lookup_transform(seen_from, link).transform
+            found = self.sim.tf.lookup_transform(seen_from, link).transform
         except TransformException as error:
             raise CheckFailed(
                 f"tf does not know where {link} is, seen from {seen_from}: {error}",
@@ -74,17 +55,77 @@ class MovedRobot:
         Raises:
             CheckFailed: The link has no cylinder, or tf does not know it.
         """
-        visuals = self._robot.links[link].visuals if link in self._robot.links else ()
-        if len(visuals) != 1 or not isinstance(visuals[0].geometry, Cylinder):
-            raise CheckFailed(f"{link} is not one cylinder", hint="Give it one <visual>.")
-        half = visuals[0].geometry.length / 2
-        origin = visuals[0].origin
+        visual, cylinder = cylinder_of(self.robot, link)
+        half, origin = cylinder.length / 2, visual.origin
         place, turn = self.pose(link)
         along = tuple(row[2] for row in rotation_of(*origin.rpy))
         lower, upper = (
             _moved(place, turn, _stepped(origin.xyz, along, side)) for side in (-half, half)
         )
         return lower, upper
+
+
+class MovedRobot(SeenRobot):
+    """A robot on the graph, to be moved and measured.
+
+    Args:
+        sim: A simulation without another robot.
+        robot: The robot, as it was read.
+        text: The same as the text of its URDF.
+    """
+
+    def __init__(self, sim: Simulation, robot: Robot, text: str) -> None:
+        super().__init__(sim, robot)
+        self._angles: dict[str, float] = {}
+        sim.params.set("/robot_description", text)
+        sim.rosrun("robot_state_publisher", "robot_state_publisher")
+        sim.run(_SETTLE)
+
+    def move(self, **angles: float) -> None:
+        """Bring joints to angles [rad]; those that are not named keep theirs.
+
+        Raises:
+            CheckFailed: The robot has no such joint, or it cannot be moved.
+        """
+        for name in angles:
+            require_joint(self.robot, name)
+        # All of them, also those that stay: tf answers for a time at which it knows of each joint on the way.
+        self._angles.update(angles)
+        message = {
+            "header": "auto",
+            "name": list(self._angles),
+            "position": list(self._angles.values()),
+        }
+        node = self.sim.rostopic_pub("/joint_states", "sensor_msgs/JointState", message)
+        self.sim.run(_SETTLE)
+        node.shutdown()
+
+
+def expect_to_follow(seen: SeenRobot, text: str, link: str, **angles: float) -> None:
+    """Expect tf to have a link where the robot's own file puts it when its joints are at these angles [rad].
+
+    Args:
+        seen: The robot as somebody else broadcasts it, e.g. the nodes of a launch file.
+        text: The text of its URDF.
+        link: The link.
+        angles: By joint.
+
+    Raises:
+        CheckFailed: It is elsewhere, or turned otherwise.
+    """
+    with Simulation(screen=None) as alone:
+        moved = MovedRobot(alone, seen.robot, text)
+        moved.move(**angles)
+        place, turn = moved.pose(link)
+    found_place, found_turn = seen.pose(link)
+    off = math.dist(place, found_place), apart(turn, found_turn)
+    if max(off) > _NEAR:
+        told = ", ".join(f"{joint} {angle:g} rad" for joint, angle in angles.items())
+        raise CheckFailed(
+            f"tf has {link} elsewhere than your file puts it with {told}: {off[0]:.3f} m off, {off[1]:.3f} rad turned",
+            hint="The sliders speak on /joint_states, and robot_state_publisher listens there. Does the launch file "
+            "load your robot, and do both nodes take these names?",
+        )
 
 
 def require_joint(robot: Robot, name: str) -> None:
@@ -99,7 +140,8 @@ def require_joint(robot: Robot, name: str) -> None:
             f"no joint {name} can be moved",
             expected=f"a joint named {name} that turns",
             actual=f"joints that move: {', '.join(moving) or 'none'}",
-            hint='A fixed joint stays; one that turns round and round has type="continuous".',
+            hint='A fixed joint stays; one that turns round and round has type="continuous". '
+            "Names count to the letter, capitals too.",
         )
 
 

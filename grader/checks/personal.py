@@ -60,6 +60,32 @@ def base_of(student: str) -> BaseTask:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class PoseTask:
+    """The pose in which one student is to predict where an arm's tip is."""
+
+    hip: float
+    """Angle of the hip [rad]."""
+    shoulder: float
+    """Angle of the shoulder [rad]."""
+
+    def __repr__(self) -> str:
+        return f"the hip at {self.hip:g} rad, the shoulder at {self.shoulder:g} rad"
+
+
+def pose_of(student: str) -> PoseTask:
+    """The pose of a student in exercise 3.8.
+
+    Args:
+        student: Their name; capital letters and blanks around it do not matter.
+    """
+    rng = _generator("3.8/pose", student)
+    return PoseTask(
+        hip=rng.choice((-1, 1)) * rng.randrange(40, 130) / 100,
+        shoulder=rng.choice((-1, 1)) * rng.randrange(40, 110) / 100,
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class CrateTask:
     """The crate that one student puts into their world."""
 
@@ -104,7 +130,7 @@ def name_of(submission: Submission, answer: str) -> str:
         CheckFailed: There is none.
     """
     name = given_answer(submission, answer)
-    if not isinstance(name, str) or not _folded(name):
+    if not isinstance(name, str) or not any(map(str.isalpha, name)):
         raise CheckFailed(
             f"{answer} is not a name", hint=f'Write your name in quotes: {answer} = "Ada Lovelace".'
         )

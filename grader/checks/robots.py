@@ -13,7 +13,7 @@ from grader.exercises import Exercise
 from grader.submission import Submission
 from simkit.diagnostics import Diagnostic, Severity
 from simkit.packages import PackagePath
-from simkit.urdf import Cylinder, Link, Reading, Robot, Visual, read_robot
+from simkit.urdf import Cylinder, Joint, Link, Reading, Robot, Visual, read_robot
 from simkit.urdf.rules import check_robot
 from simkit.xml import parse_xml
 
@@ -107,33 +107,84 @@ def only_visual(robot: Robot, link: str) -> Visual:
     Raises:
         CheckFailed: There is nothing, or more than one.
     """
-    visuals = link_of(robot, link).visuals
-    if not visuals:
-        raise CheckFailed(
-            f"nothing is to be seen of {link}",
-            hint="A link is seen through its <visual>, which holds a <geometry>.",
-        )
+    visuals = _visuals_of(robot, link)
     if len(visuals) > 1:
         raise CheckFailed(f"{link} has {len(visuals)} visuals", hint="One <visual> is enough here.")
     return visuals[0]
 
 
+def cylinder_of(robot: Robot, link: str) -> tuple[Visual, Cylinder]:
+    """The one cylinder that is to be seen of a link; a mark or a knob of another shape may be beside it.
+
+    Returns:
+        The visual, and its shape.
+
+    Raises:
+        CheckFailed: There is none, or more than one.
+    """
+    visuals = _visuals_of(robot, link)
+    found = [(one, one.geometry) for one in visuals if isinstance(one.geometry, Cylinder)]
+    if not found:
+        raise CheckFailed(
+            f"{link} is a {type(visuals[0].geometry).__name__.lower()}, not a cylinder",
+            hint="Inside <geometry> stands <cylinder length=... radius=.../>.",
+        )
+    if len(found) > 1:
+        raise CheckFailed(
+            f"{link} is {len(found)} cylinders", hint="Leave the one that the text asks for."
+        )
+    return found[0]
+
+
 def expect_chain(robot: Robot, *links: str) -> None:
     """Expect each link to hang on the one before it, and the first one on nothing.
+
+    Other links may lie in between, such as a footprint or a flange.
 
     Raises:
         CheckFailed: A link is missing, or hangs on another one.
     """
-    expect_equal(robot.root, links[0], what="the root of the tree")
+    expect_equal(
+        robot.root,
+        links[0],
+        what="the root of the tree",
+        hint="The root is no joint's child. Are parent and child swapped somewhere?",
+    )
     for parent, link in itertools.pairwise(links):
         link_of(robot, link)
-        above = robot.joint_above(link)
+        holders = [joint.parent for joint in joints_above(robot, link)]
         expect_equal(
-            above.parent if above else None,
+            parent if parent in holders else next(iter(holders), None),
             parent,
             what=f"the link that {link} hangs on",
             hint="A joint names the parent that holds, and the child that is held.",
         )
+
+
+def joints_above(robot: Robot, link: str) -> list[Joint]:
+    """The joints from a link to the root, the nearest first; once around where they form a ring."""
+    # The last one by name wins, as in Robot.joint_above; a table, for robots may be long.
+    holding = {robot.joints[name].child: robot.joints[name] for name in sorted(robot.joints)}
+    found: dict[str, Joint] = {}
+    above = holding.get(link)
+    while above is not None and above.name not in found:
+        found[above.name] = above
+        above = holding.get(above.parent)
+    return list(found.values())
+
+
+def expect_firm(robot: Robot, link: str) -> None:
+    """Expect that no joint above a link can move.
+
+    Raises:
+        CheckFailed: One can.
+    """
+    for joint in joints_above(robot, link):
+        if joint.moves:
+            raise CheckFailed(
+                f"{link} can move: the joint {joint.name} above it is {joint.type.value}",
+                hint='A joint that holds its child for ever has type="fixed".',
+            )
 
 
 def expect_silver_cylinder(robot: Robot, link: str, *, length: float, radius: float) -> None:
@@ -142,13 +193,7 @@ def expect_silver_cylinder(robot: Robot, link: str, *, length: float, radius: fl
     Raises:
         CheckFailed: It has another shape, size or colour.
     """
-    visual = only_visual(robot, link)
-    shape = visual.geometry
-    if not isinstance(shape, Cylinder):
-        raise CheckFailed(
-            f"{link} is a {type(shape).__name__.lower()}, not a cylinder",
-            hint="Inside <geometry> stands <cylinder length=... radius=.../>.",
-        )
+    visual, shape = cylinder_of(robot, link)
     expect_close(
         (shape.length, shape.radius),
         (length, radius),
@@ -181,6 +226,16 @@ def slider_of(launched: Any) -> Any:
         hint="joint_state_publisher shows sliders if the parameter use_gui is true: "
         '<param name="use_gui" value="true"/>.',
     )
+
+
+def _visuals_of(robot: Robot, link: str) -> tuple[Visual, ...]:
+    visuals = link_of(robot, link).visuals
+    if not visuals:
+        raise CheckFailed(
+            f"nothing is to be seen of {link}",
+            hint="A link is seen through its <visual>, which holds a <geometry>.",
+        )
+    return visuals
 
 
 def _refused(

@@ -10,13 +10,13 @@ import os
 import sys
 from collections.abc import Iterable, Sequence
 
-from simkit.cli.complaint import FAILURE, USAGE_ERROR, complain
+from simkit.cli.complaint import FAILURE, complain
 from simkit.cli.robot_file import RobotFile, read_file
-from simkit.diagnostics import Diagnostic, Rule, Severity, as_json, as_text, summary
-from simkit.errors import SimkitError, near_names
+from simkit.diagnostics import Diagnostic, Severity, as_json, as_text, summary
+from simkit.errors import SimkitError
 from simkit.record import replace
 from simkit.urdf import check_urdf_text, read_robot
-from simkit.urdf.rules import Companion, CompanionKind, all_rules, check_robot
+from simkit.urdf.rules import Companion, CompanionKind, check_robot
 
 _PROGRAM = "simkit check_urdf"
 REFUSED = 255
@@ -26,6 +26,7 @@ _KINDS = {
     ".yaml": CompanionKind.YAML,
     ".yml": CompanionKind.YAML,
 }
+_ALONE = "; {0} is checked beside a URDF: simkit check_urdf ROBOT.urdf {0}"
 _EPILOG = """\
 Standard output and exit code are those of ROS's check_urdf: 0 if it accepts the file, 255 if not. What is wrong, where, what
 follows from it and what would be right stands on standard error. FILE may be package://PACKAGE/urdf/NAME.urdf, or - for
@@ -71,14 +72,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Check the files, or tell of the rules."""
-    if arguments.list_rules:
-        print(_rules_text())
-        return 0
-    if arguments.explain is not None:
-        return _explain(arguments.explain)
+    if arguments.list_rules or arguments.explain is not None:
+        return _tell_of_rules(arguments)
     urdfs = [name for name in arguments.files if _kind(name) is None]
     if not urdfs:
-        return complain(_PROGRAM, "Expect URDF xml file to parse", REFUSED)
+        more = _ALONE.format(arguments.files[0]) if arguments.files else ""
+        return complain(_PROGRAM, f"Expect URDF xml file to parse{more}", REFUSED)
     try:
         companions = tuple(_companions(arguments))
     except SimkitError as error:
@@ -89,6 +88,15 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.format == "json":
         print(as_json([one for check in checks for one in check.diagnostics]))
     return max(check.code for check in checks)
+
+
+def _tell_of_rules(arguments: argparse.Namespace) -> int:
+    from simkit.cli import rule_book  # with launch files and worlds: more than a robot needs
+
+    if arguments.list_rules:
+        print(rule_book.list_text())
+        return 0
+    return rule_book.explain(arguments.explain, program=_PROGRAM)
 
 
 class _Check:
@@ -169,25 +177,3 @@ def _companions(arguments: argparse.Namespace) -> Iterable[Companion]:
     for name, kind in named:
         file = read_file(name)
         yield Companion(kind=kind, file=file.name, text=file.data.decode("utf-8", "replace"))
-
-
-def _rules_text() -> str:
-    width = max(len(rule.id) for rule in all_rules())
-    return "\n".join(
-        f"{rule.id:<{width}}  {rule.severity.value:<7}  {rule.title}" for rule in all_rules()
-    )
-
-
-def _explain(name: str) -> int:
-    wanted = name.strip().upper()
-    found = [rule for rule in all_rules() if wanted in (rule.id, rule.id.partition("-")[2])]
-    if not found:
-        near = near_names(wanted, [rule.id for rule in all_rules()]) if len(wanted) < 40 else []
-        meant = f"; did you mean {' or '.join(near)}?" if near else "; --list-rules lists them"
-        return complain(_PROGRAM, f"no rule {name!r}{meant}", USAGE_ERROR)
-    print("\n\n".join(map(_explanation, found)))
-    return 0
-
-
-def _explanation(rule: Rule) -> str:
-    return f"{rule.id} ({rule.severity.value}): {rule.title}\n\n{rule.explanation}"

@@ -16,12 +16,11 @@ from simkit.cli.sharing import OnlyFrom, elsewhere, host, running_session, show
 from simkit.errors import SimkitError
 from simkit.graph.screen import StreamScreen
 from simkit.launch import Launch, LaunchPlan, listings, summary_of
+from simkit.launch.budget import MAX_LAUNCH_BYTES
 from simkit.live.launch_job import CLOSING, NO_PROCESSES, exit_code_of
 from simkit.live.moving import offer_moves
 from simkit.live.windows import open_windows
 from simkit.simulation import Simulation
-
-_LISTS = ("dump_params", "nodes", "files", "ros_args", "node_args", "find_node")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -29,7 +28,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.usage = "simkit roslaunch [OPTIONS] PACKAGE FILE [NAME:=VALUE]\n       simkit roslaunch [OPTIONS] PATH [NAME:=VALUE]"
     parser.epilog = (
         "The nodes join the simulation of another terminal; if none runs, one begins, which others then join. "
-        "Ctrl-C ends them all. With --for, --fast or --seed they have a simulation of their own."
+        "Ctrl-C ends them all. With --for, --fast or --seed they have a simulation of their own. If PATH is -, the "
+        "launch file is read from standard input. What an id such as LCH-E06 means: simkit check_urdf --explain LCH-E06."
     )
     _add_options(parser)
     parser.add_argument("words", metavar="PACKAGE FILE", nargs=argparse.REMAINDER)
@@ -49,14 +49,16 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _run(arguments: argparse.Namespace, words: list[str]) -> int:
     alone = wants_own_simulation(arguments)
-    listed = any(getattr(arguments, name) for name in _LISTS)
+    listed = listings.wants_list(arguments)
+    if words[0] == "-":
+        words = [_read_text(quiet=listed), *words[1:]]
     if not alone and not listed and running_session() is not None:
         screen = ["--screen"] if arguments.screen else []
         return elsewhere(["roslaunch", *screen, *_from_anywhere(words)])
     with Simulation(arguments.seed or 0) as sim:
         plan = sim.launch_plan(*words)
         if listed:
-            show(_listing(plan, arguments, sim))
+            show(listings.list_text(plan, arguments, sim.packages))
             return 0
         return _launch(sim, plan, arguments, alone=alone)
 
@@ -75,6 +77,8 @@ def _launch(
         sim.run_until(lambda: not launch.alive, timeout=LAST_WORDS)
         show(f"{CLOSING}done\n")
         return 0
+    if end == "over" and launch.exit_code is not None:  # a required node takes the others with it
+        sim.run_until(lambda: not launch.alive, timeout=LAST_WORDS)
     if end == "idle":
         names = ", ".join(launch.nodes)
         print(f"{names} wait for ever: nothing else runs here", file=sys.stderr)
@@ -107,30 +111,24 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--screen", action="store_true", help="show what all nodes print, whatever output= says"
     )
-    lists = parser.add_argument_group("to list instead")
-    lists.add_argument("--dump-params", action="store_true", help="the parameters, as YAML")
-    lists.add_argument("--nodes", action="store_true", help="the names of the nodes")
-    lists.add_argument("--files", action="store_true", help="the launch files that are read")
-    lists.add_argument("--ros-args", action="store_true", help="the arguments of the file")
-    lists.add_argument("--args", dest="node_args", metavar="NODE", help="command line of a node")
-    lists.add_argument("--find-node", metavar="NODE", help="the launch file that a node is in")
+    listings.add_list_options(parser)
 
 
-def _listing(plan: LaunchPlan, arguments: argparse.Namespace, sim: Simulation) -> str:
-    if arguments.dump_params:
-        return listings.params_text(plan)
-    if arguments.nodes:
-        return listings.nodes_text(plan)
-    if arguments.files:
-        return listings.files_text(plan)
-    if arguments.ros_args:
-        return listings.arguments_text(plan)
-    if arguments.find_node:
-        return listings.file_of_node_text(plan, arguments.find_node)
-    return listings.command_of_node_text(plan, arguments.node_args, sim.packages)
+def _read_text(*, quiet: bool) -> str:
+    """The launch file that stands on standard input."""
+    if not quiet:
+        show("Passed '-' as file argument, attempting to read roslaunch XML from stdin.\n")
+    data = sys.stdin.buffer.read(MAX_LAUNCH_BYTES + 1)
+    if not quiet:
+        show(f"... {len(data)} bytes read successfully.\n\n")
+    text = data.decode("utf-8", "replace")
+    if "<" not in text:
+        raise SimkitError("standard input holds no launch file: it begins with <launch>")
+    return text
 
 
 def _from_anywhere(words: list[str]) -> list[str]:
     """The same words for a simulation that runs in another folder."""
     path = Path(words[0])
-    return [str(path.absolute()), *words[1:]] if path.is_file() else words
+    is_path = "<" not in words[0] and path.is_file()
+    return [str(path.absolute()), *words[1:]] if is_path else words

@@ -12,6 +12,7 @@ from simkit.graph import LogRecord
 from simkit.graph.screen import Screen
 from simkit.live import Host, Session, SessionError, call, find_session
 from simkit.live.commands import live_commands
+from simkit.packages import PackagePath
 from simkit.simulation import Simulation
 
 _CONNECT_TIMEOUT = 2.0
@@ -79,10 +80,17 @@ def elsewhere(argv: Sequence[str]) -> int:
             "no simulation runs; start one in another terminal: simkit roscore, or simkit rosrun ..."
         )
     try:
-        code = call(session, argv, show)
+        code = call(session, argv, show, folders=_folders_for(argv[0]))
     except KeyboardInterrupt:
         return 0
     return USAGE_ERROR if code == _ROS_USAGE_ERROR else code
+
+
+def _folders_for(command: str) -> list[str]:
+    """Folders of packages of this terminal, for the commands that start something from them."""
+    if command not in ("rosrun", "roslaunch"):
+        return []
+    return [str(folder) for folder in PackagePath().folders]
 
 
 def show(text: str) -> None:

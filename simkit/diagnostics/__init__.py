@@ -5,11 +5,12 @@ they look on a terminal and as JSON is in `show`.
 """
 
 from simkit.diagnostics.diagnostic import Diagnostic, Related, Severity, in_order
-from simkit.diagnostics.rule import Rule
+from simkit.diagnostics.rule import MetRule, Rule
 from simkit.diagnostics.show import as_json, as_text, summary
 
 __all__ = [
     "Diagnostic",
+    "MetRule",
     "Related",
     "Rule",
     "Severity",

@@ -1,4 +1,4 @@
-"""A rule: one kind of mistake, with a stable id and an explanation."""
+"""Rules: kinds of mistakes, each with a stable id and an explanation."""
 
 from __future__ import annotations
 
@@ -30,3 +30,23 @@ class Rule(Record):
         import inspect  # takes 10 ms to load, and most calls explain nothing
 
         return inspect.cleandoc(self.look.__doc__ or "")
+
+
+class MetRule(Record):
+    """A rule that nothing looks for: the mistake is met when a file is used, e.g. launched."""
+
+    id: str
+    """Stable id, e.g. `LCH-E06`."""
+    title: str
+    """The mistake in a few words."""
+    severity: Severity
+    """The worst that it is reported as."""
+    text: str
+    """The explanation, as it is indented in the source."""
+
+    @property
+    def explanation(self) -> str:
+        """What the mistake is, how it comes about, what to do: for `--explain`."""
+        import inspect
+
+        return inspect.cleandoc(self.text)

@@ -6,7 +6,6 @@ Source: gazebo_ros `scripts/spawn_model`: options, texts, exit codes.
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 from simkit.errors import SimkitError, UnknownNameError
@@ -81,7 +80,7 @@ class SpawnModel(Program):
         return text
 
     def _read_file(self, name: str) -> str:
-        path = Path(name)
+        path = self._folder / name
         if not path.is_file():
             raise SimkitError(f"Error: specified file {name} does not exist")
         if not self._packages.may_read(path):

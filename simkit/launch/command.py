@@ -16,6 +16,7 @@ from simkit.launch.rules import COMMAND
 
 _XACRO_TAG = re.compile(r"<\s*xacro:|\$\{|\$\((?:arg|find|eval|env|optenv|dirname|cwd)\b")
 _XACRO_OPTIONS = ("--inorder", "-i", "--inord", "-v")
+_OF_SHELLS = ("|", "||", "&", "&&", ";", "<", ">", ">>", "2>&1")
 UNDERSTOOD = "cat FILE, echo WORDS and xacro FILE"
 
 
@@ -58,7 +59,9 @@ class _Command:
 
     def output(self) -> CommandOutput:
         program, arguments = self._program()
-        if program == "cat" and arguments:
+        if program == "cat" and not arguments:
+            raise self._fails(1, "cat without a file would wait for ever", "Write cat FILE.")
+        if program == "cat":
             texts = [self._file(name) for name in arguments]
             source = Path(arguments[0]) if len(arguments) == 1 else None
             return CommandOutput(text="".join(texts), source=source)
@@ -101,6 +104,9 @@ class _Command:
         return CommandOutput(text=text, source=Path(names[0]))
 
     def _file(self, name: str) -> str:
+        if name in _OF_SHELLS:
+            what = f"{name} is for a shell, and neither roslaunch nor simkit asks one"
+            raise self._fails(1, what, "Name one file, and load it as it is.")
         try:
             return self._files.read_text(name)
         except Refused as refused:

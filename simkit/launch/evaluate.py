@@ -7,10 +7,11 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from simkit.diagnostics import Severity, in_order
+from simkit.errors import near_names
 from simkit.launch.budget import Budget
 from simkit.launch.errors import LaunchError
 from simkit.launch.files import Files
-from simkit.launch.plan import LaunchPlan
+from simkit.launch.plan import TEXT_NAME, LaunchPlan
 from simkit.launch.refusal import Kind, Lesson, Place, Refused
 from simkit.launch.rules import UNUSED_ARGUMENT, USE_GUI
 from simkit.launch.scope import Scope
@@ -21,9 +22,6 @@ from simkit.launch.telling import error_of
 from simkit.launch.walk import open_sheet, walk
 from simkit.packages import PackagePath
 from simkit.xml import Element
-
-TEXT_NAME = "string"
-"""What roslaunch calls a launch file that was given as a text."""
 
 
 def evaluate(
@@ -89,6 +87,7 @@ class _Evaluation:
         scope = Scope(sheet)
         scope.arguments = dict(self._arguments)
         walk(root, sheet, scope, state)
+        state.require_machines()
         if any(element.name == "master" for element in root.walk()):
             state.warn("WARNING: ignoring defunct <master /> tag", plain=True)
         self._teach_arguments(scope, root, sheet)
@@ -102,7 +101,7 @@ class _Evaluation:
             origins=state.origins,
             clear_params=tuple(state.clear_params),
             steps=tuple(state.steps),
-            nodes=tuple(state.nodes),
+            nodes=tuple(state.nodes.values()),
             arguments=tuple(state.arguments),
             warnings=tuple(state.warnings),
             diagnostics=in_order(state.diagnostics),
@@ -114,13 +113,17 @@ class _Evaluation:
             if name not in scope.declared:
                 declared = ", ".join(scope.declared) or "none"
                 what = f"the argument {name!r} is given, but this file declares no such"
-                lesson = Lesson(rule=UNUSED_ARGUMENT, what=what, remedy=f"It declares: {declared}.")
+                near = near_names(name, scope.declared)
+                remedy = f"Did you mean {near[0]}:=?" if near else f"It declares: {declared}."
+                lesson = Lesson(rule=UNUSED_ARGUMENT, what=what, remedy=remedy)
                 self._state.teach(lesson, place)
 
     def _teach_use_gui(self) -> None:
         params = self._state.params
         used = [name for name, value in params.items() if name.endswith("/use_gui") and value]
-        if used and any(node.package == "joint_state_publisher" for node in self._state.nodes):
+        if used and any(
+            node.package == "joint_state_publisher" for node in self._state.nodes.values()
+        ):
             what = "use_gui opens sliders here and in Melodic; from Noetic on nothing happens"
             remedy = (
                 "On a newer robot start the node joint_state_publisher_gui of the package of that name "

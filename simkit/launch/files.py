@@ -140,10 +140,24 @@ class Files:
     def missing(self, name: str) -> Lesson:
         """What to say of a file that is not there."""
         remedy = "Write the path of a file that is there, best as $(find PACKAGE)/folder/file."
-        near = near_names(Path(name).name, _neighbours(Path(name)))
-        if near:
+        if found := self._in_a_package(name):
+            remedy = f"Write {found}: a relative path begins in the folder of the terminal."
+        elif name.startswith("package://"):
+            path = name.removeprefix("package://").replace("/", ")/", 1)
+            remedy = f"Write $(find {path}; package:// is for meshes of a URDF."
+        elif near := near_names(Path(name).name, _neighbours(Path(name))):
             remedy = f"Did you mean {' or '.join(near)}, which is in that folder?"
         return Lesson(rule=FILE, what=f"there is no file {self.shown(name)!r}", remedy=remedy)
+
+    def _in_a_package(self, name: str) -> str | None:
+        """How to name a file whose path begins in a package; None if there is none."""
+        if not name or Path(name).is_absolute():
+            return None
+        for package in self.packages.values():
+            path = package.folder / name
+            if self.may_read(path) and path.is_file():
+                return f"$(find {package.name})/{name}"
+        return None
 
     def _unreadable(self, name: str, error: OSError | ValueError) -> Refused:
         lesson = Lesson(
@@ -153,7 +167,14 @@ class Files:
         )
         if isinstance(error, FileNotFoundError):
             lesson = self.missing(name)
-        return Refused(Kind.OTHER, str(error), lesson, name=type(error).__name__)
+        return Refused(Kind.OTHER, _as_written(error, name), lesson, name=type(error).__name__)
+
+
+def _as_written(error: OSError | ValueError, name: str) -> str:
+    """Python's words for a file, with its name as it was written: a Path would spell it anew."""
+    if not isinstance(error, OSError) or error.errno is None:
+        return str(error)
+    return f"[Errno {error.errno}] {error.strerror}: {name!r}"
 
 
 def _neighbours(path: Path) -> list[str]:

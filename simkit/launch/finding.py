@@ -5,6 +5,7 @@ Source: roslaunch `resolve_launch_arguments`: a file of that name anywhere in th
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -12,7 +13,7 @@ from simkit.diagnostics import Diagnostic, Severity
 from simkit.errors import UnknownNameError, near_names
 from simkit.launch.errors import LaunchError
 from simkit.launch.files import KNOWN
-from simkit.launch.rules import NOT_FOUND
+from simkit.launch.rules import ARGUMENT, NOT_FOUND
 from simkit.packages import Package, PackagePath
 from simkit.xml import Span
 
@@ -51,8 +52,7 @@ def given_arguments(words: Sequence[str]) -> dict[str, str]:
     for word in words:
         name, sign, value = word.partition(":=")
         if not sign or not name:
-            what = f"{word!r} is no argument"
-            raise _error("", word, what, "Write name:=value.")
+            raise _no_argument(words, word)
         if not (name.startswith("_") and not name.startswith("__")):
             arguments[name.strip()] = value.strip()
     return arguments
@@ -81,6 +81,26 @@ def _all_files(folder: Path) -> list[Path]:
     return sorted(path for path in folder.rglob("*") if path.is_file() and not path.is_symlink())
 
 
+def _no_argument(words: Sequence[str], word: str) -> LaunchError:
+    """The error for a word behind the launch file that is no `name:=value`."""
+    what, remedy = f"{word!r} is no argument", "Write name:=value."
+    name, equals, value = word.partition("=")
+    before = words[words.index(word) - 1] if words.index(word) else ""
+    if word.startswith("-"):
+        what = f"{word!r} is no argument, and no option that there is here"
+        remedy = "simkit roslaunch --help lists the options."
+    elif before.endswith(":="):
+        remedy = f"Write {before}{word}, without a blank."
+    elif equals and name.isidentifier():
+        remedy = f"Write {name}:={value}, with a colon."
+    elif word.endswith(_ENDINGS):
+        what = f"{word!r} is a second launch file, and one is launched at a time"
+        remedy = (
+            "Launch it in another terminal, or write a launch file that has an <include> of each."
+        )
+    return _error("", word, what, remedy, rule=ARGUMENT)
+
+
 def _several(words: Sequence[str], found: Sequence[Path]) -> LaunchError:
     listed = "".join(f"\n- {path}" for path in found)
     said = (
@@ -95,8 +115,7 @@ def _nothing(words: Sequence[str], packages: PackagePath) -> LaunchError:
     if len(words) < 2 or ":=" in words[1]:
         name = words[0] if words else ""
         said = f"RLException: [{name}] is not a launch file name"
-        remedy = "Write simkit roslaunch PACKAGE FILE.launch, or the path of a launch file."
-        return _error(said, name, f"there is no file {name!r}", remedy)
+        return _error(said, name, f"there is no file {name!r}", _where_it_may_be(name, packages))
     package, file = words[0], words[1]
     said = (
         f"RLException: [{file}] is neither a launch file in package [{package}] nor is [{package}] a "
@@ -116,9 +135,28 @@ def _nothing(words: Sequence[str], packages: PackagePath) -> LaunchError:
     return _error(said, file, what, remedy)
 
 
-def _error(said: str, file: str, what: str, remedy: str) -> LaunchError:
+def _where_it_may_be(name: str, packages: PackagePath) -> str:
+    """What to do about one word that is no path of a file: half of a command line, or a slip."""
+    found = packages.packages()
+    if name in found:
+        known = [path.name for path in launch_files(found[name].folder)]
+        files = " or ".join(known[:3]) or "FILE.launch"
+        return f"Write the launch file behind the package: simkit roslaunch {name} {files}."
+    for package in found.values():
+        if _files_named(package.folder, name):
+            return f"It is in a package: simkit roslaunch {package.name} {name}."
+    beside: list[str] = []
+    with contextlib.suppress(OSError, ValueError):
+        if packages.may_read(name):
+            beside = sorted(path.name for path in Path(name).parent.iterdir())
+    if near := near_names(Path(name).name, [one for one in beside if one.endswith(_ENDINGS)]):
+        return f"Did you mean {' or '.join(near)}, which is in that folder?"
+    return "Write simkit roslaunch PACKAGE FILE.launch, or the path of a launch file."
+
+
+def _error(said: str, file: str, what: str, remedy: str, *, rule: str = NOT_FOUND) -> LaunchError:
     diagnostic = Diagnostic(
-        rule=NOT_FOUND,
+        rule=rule,
         severity=Severity.ERROR,
         file=file,
         span=Span(1, 1),

@@ -12,8 +12,9 @@ from simkit.errors import SimkitError, UnknownNameError
 from simkit.graph import Graph
 from simkit.graph.executor import nanoseconds
 from simkit.graph.process import Permissions, ScriptNode
+from simkit.launch.description_check import description_lines
 from simkit.launch.parameters import apply_parameters
-from simkit.launch.plan import LaunchPlan, PlannedNode
+from simkit.launch.plan import TEXT_NAME, LaunchPlan, PlannedNode
 from simkit.launch.process import NodeHandle, Process, arguments_of
 from simkit.launch.summary import summary_of, warning_lines
 from simkit.nodes import builtin_nodes
@@ -95,8 +96,9 @@ class Launch:
         return any(process.is_busy for process in self._processes)
 
     def is_of(self, file: str, given: Mapping[str, str]) -> bool:
-        """Whether it is the launch of a file with certain arguments."""
-        return self.plan.file == file and dict(self.plan.given) == dict(given)
+        """Whether it is the launch of a file with certain arguments; one text may be another than the next."""
+        is_file = self.plan.file != TEXT_NAME
+        return is_file and self.plan.file == file and dict(self.plan.given) == dict(given)
 
     def start(self) -> None:
         """Set the parameters, then start the nodes in the order of the file."""
@@ -107,6 +109,8 @@ class Launch:
             self.say(line)
             if line.startswith("refused: "):
                 self.refusals.append(line.removeprefix("refused: "))
+        for line in description_lines(self.plan, self._graph.params.names()):
+            self.say(line)
         for number, planned in enumerate(self.plan.nodes, 1):
             process = Process(planned, f"{planned.name}-{number}")
             self._processes.append(process)
@@ -244,12 +248,20 @@ class Launch:
                 f"{line}REQUIRED process [{process.label}] has died!\n{process.ending()}\n"
                 f"Initiating shutdown!\n{line}"
             )
+            self._tell_last_words(process)
             self.exit_code = 1
             self.shutdown()
         else:
             self.say(f"[{process.label}] {process.ending()}")
+            self._tell_last_words(process)
             if process.planned.respawn:
                 self._restart_later(process)
+
+    def _tell_last_words(self, process: Process) -> None:
+        """What a node that died said where nobody saw it."""
+        words = process.last_words() if self.hides(process.planned.resolved_name) else ""
+        if words:
+            self.say(words)
 
     def _restart_later(self, process: Process) -> None:
         process.restarts = True

@@ -5,10 +5,53 @@ Source: roslaunch `param_dump`, `node_args`, `arg_dump`.
 
 from __future__ import annotations
 
+import argparse
+
 from simkit.errors import SimkitError, UnknownNameError, near_names
 from simkit.launch.plan import LaunchPlan, PlannedNode
 from simkit.launch.process import arguments_of
 from simkit.packages import PackagePath
+
+
+def add_list_options(parser: argparse.ArgumentParser) -> None:
+    """`--dump-params`, `--nodes` and their kin."""
+    lists = parser.add_argument_group("to list instead")
+    lists.add_argument("--dump-params", action="store_true", help="the parameters, as YAML")
+    lists.add_argument("--nodes", action="store_true", help="the names of the nodes")
+    lists.add_argument("--files", action="store_true", help="the launch files that are read")
+    lists.add_argument("--ros-args", action="store_true", help="the arguments of the file")
+    lists.add_argument("--args", dest="node_args", metavar="NODE", help="command line of a node")
+    lists.add_argument("--find-node", metavar="NODE", help="the launch file that a node is in")
+
+
+def wants_list(options: argparse.Namespace) -> bool:
+    """Whether one of these options is given."""
+    names = ("dump_params", "nodes", "files", "ros_args", "node_args", "find_node")
+    return any(getattr(options, name) for name in names)
+
+
+def list_text(plan: LaunchPlan, options: argparse.Namespace, packages: PackagePath) -> str:
+    """What the option prints; of several the first one counts.
+
+    Args:
+        plan: The launch file.
+        options: The options that are given.
+        packages: Where packages are.
+
+    Raises:
+        SimkitError: A node is asked for that is not there.
+    """
+    if options.dump_params:
+        return params_text(plan)
+    if options.nodes:
+        return nodes_text(plan)
+    if options.files:
+        return files_text(plan)
+    if options.ros_args:
+        return arguments_text(plan)
+    if options.find_node:
+        return file_of_node_text(plan, options.find_node)
+    return command_of_node_text(plan, options.node_args, packages)
 
 
 def params_text(plan: LaunchPlan) -> str:

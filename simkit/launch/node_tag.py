@@ -16,7 +16,7 @@ from simkit.launch.rules import ATTRIBUTE, NO_EFFECT, UNKNOWN
 from simkit.launch.scope import Scope, as_namespace, joined
 from simkit.launch.small_tags import read_remapping, take_environment
 from simkit.launch.tag import Tag, namespace_of
-from simkit.launch.values import flag, seconds
+from simkit.launch.values import seconds
 
 _ATTRIBUTES = (
     "pkg",
@@ -96,9 +96,11 @@ def _node(tag: Tag, scope: Scope) -> PlannedNode:
             "required",
         )
     }
-    required = flag(options["required"], "required")
-    respawn = flag(options["respawn"], "respawn")
-    delay = seconds(options["respawn_delay"], "respawn_delay")
+    _want_machine(tag, options["machine"])
+    required = tag.flag("required", options["required"])
+    respawn = tag.flag("respawn", options["respawn"])
+    with tag.about("respawn_delay"):
+        delay = seconds(options["respawn_delay"], "respawn_delay")
     inner = _take_children(tag, scope, where)
     remappings = tuple(inner.remappings())
     tag.state.budget.tag(len(remappings) + len(inner.environment))
@@ -136,7 +138,7 @@ def _check_name(tag: Tag, name: str) -> None:
 
 def _where(tag: Tag, scope: Scope, name: str) -> _Where:
     inner = scope.child(namespace_of(tag, scope))
-    if flag(tag.get("clear_params", scope) or None, "clear_params"):
+    if tag.flag("clear_params", tag.get("clear_params", scope) or None):
         if not name:
             words = f"<{tag.name}> tag must have a 'name' attribute to use 'clear_params' attribute"
             raise tag.refuse(words, "clear_params= needs a name", 'Write name="...".')
@@ -179,6 +181,16 @@ def _unknown_child(tag: Tag, child: Tag) -> None:
     remedy = f"Did you mean <{near[0]}>?" if near else "A node has param, rosparam, remap and env."
     what = f"<{child.name}> cannot stand in a <{tag.name}>: it is ignored"
     tag.state.teach(Lesson(rule=UNKNOWN, what=what, remedy=remedy), child.place)
+
+
+def _want_machine(tag: Tag, name: str | None) -> None:
+    """Note the machine that a node is meant for: there must be a `<machine>` of its name, before or behind."""
+    if name is None:
+        return
+    if not name.strip():
+        words = f"<node> 'machine' must be non-empty: [{name}]"
+        raise tag.refuse(words, "machine= is empty", "Remove it.", at="machine")
+    tag.state.wanted_machines.append((name, tag.place_of("machine")))
 
 
 def _check_options(

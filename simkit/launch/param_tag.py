@@ -6,11 +6,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from simkit.errors import near_names
+from simkit.graph.names import is_legal_name
 from simkit.launch.command import output_of
-from simkit.launch.refusal import Kind, Refused
+from simkit.launch.refusal import Kind, Lesson, Refused
+from simkit.launch.rules import ATTRIBUTE
 from simkit.launch.scope import PrivateParameter, Scope, joined
 from simkit.launch.tag import Tag
-from simkit.launch.values import convert
+from simkit.launch.values import TYPES, convert
 
 _ATTRIBUTES = ("name", "value", "type", "textfile", "binfile", "command")
 _SOURCES = ("value", "textfile", "binfile", "command")
@@ -58,19 +61,40 @@ def _add(tag: Tag, scope: Scope, *, in_node: bool) -> None:
         raise tag.refuse(
             "<param> tag must have one and only one of value/textfile/binfile.",
             f"a parameter has one source, and here are {len(sources)}",
-            "Keep one of value=, textfile=, binfile=, command=.",
+            _how_to_have_one(tag, len(sources)),
         )
     name = tag.required("name", scope).strip()
     ((source, text),) = sources.items()
     try:
         found = _value(tag, name, type_name, source, text)
     except Refused as refused:
-        raise refused.at(tag.place_of(source)) from None
+        raise refused.at(tag.place_of(source if type_name in TYPES else "type")) from None
+    _check_name(tag, name)
     if in_node or name.startswith("~"):
         scope.add_parameter(PrivateParameter(name, found.value, (tag.place, found.source)))
     else:
         full = joined(scope.namespace, name)
         tag.state.add_param(full, found.value, tag.place, found.source)
+
+
+def _how_to_have_one(tag: Tag, count: int) -> str:
+    """What to do about a parameter with no source, or with several."""
+    if count:
+        return "Keep one of value=, textfile=, binfile=, command=."
+    for attribute in tag.element.attributes:
+        near = near_names(attribute.name, _SOURCES)
+        if attribute.name not in _ATTRIBUTES and near:
+            return f"Write {near[0]}= where {attribute.name}= stands."
+    return 'Write value="...", or textfile=, binfile= or command=.'
+
+
+def _check_name(tag: Tag, name: str) -> None:
+    """Tell of a name that the tools of ROS refuse; roslaunch itself takes it."""
+    if not name or is_legal_name(name):
+        return
+    what = f"{name!r} is no legal name of a parameter: rosparam does not read it"
+    remedy = "Use letters, digits, _ and / only, a letter first."
+    tag.state.teach(Lesson(rule=ATTRIBUTE, what=what, remedy=remedy), tag.place_of("name"))
 
 
 def _value(tag: Tag, name: str, type_name: str, source: str, text: str) -> _Found:

@@ -10,6 +10,9 @@ from typing import Any, Literal
 from simkit.diagnostics import Diagnostic
 from simkit.xml import Span
 
+TEXT_NAME = "string"
+"""What roslaunch calls a launch file that was given as a text."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedNode:

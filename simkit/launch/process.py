@@ -11,6 +11,10 @@ from simkit.graph.process import ScriptNode
 from simkit.launch.plan import PlannedNode
 from simkit.running import RunningBuiltin
 
+MOST_LINES = 12
+"""So many lines of its last words are told."""
+MOST_COLUMNS = 200
+"""So much of each."""
 NodeHandle: TypeAlias = ScriptNode | RunningBuiltin
 """A node that was started."""
 
@@ -31,6 +35,8 @@ class Process:
     """Whether it is about to be started again."""
     mute: Callable[[], None] | None = None
     """What keeps its output off the screen."""
+    told: bool = False
+    """Whether its last words were told."""
 
     @property
     def is_busy(self) -> bool:
@@ -49,6 +55,16 @@ class Process:
         if node is None or (not node.exit_code and node.failure is None):
             return "process has finished cleanly"
         return f"process has died [exit code {node.exit_code}, cmd {self.command}]."
+
+    def last_words(self) -> str:
+        """What it printed last, once, if it has failed; roslaunch would name a log file."""
+        node = self.node
+        if self.told or node is None or not node.exit_code or not node.output.strip():
+            return ""
+        self.told = True
+        lines = node.output.rstrip().split("\n")[-MOST_LINES:]
+        shown = "".join(f"\n    {line[:MOST_COLUMNS]}" for line in lines)
+        return f'what it printed last (its <node> has no output="screen"):{shown}'
 
 
 def arguments_of(planned: PlannedNode) -> list[str]:

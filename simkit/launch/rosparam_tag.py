@@ -9,7 +9,6 @@ from simkit.launch.refusal import Elsewhere, Kind, Lesson, Refused, ours
 from simkit.launch.rules import ATTRIBUTE, FILE, YAML
 from simkit.launch.scope import Scope, joined, tidy
 from simkit.launch.tag import Tag
-from simkit.launch.values import flag
 from simkit.launch.yaml_text import load_yaml
 from simkit.xml import Span
 
@@ -37,7 +36,7 @@ def take_rosparam(tag: Tag, scope: Scope) -> None:
 def _take(tag: Tag, scope: Scope) -> None:
     tag.check_attributes(_ATTRIBUTES)
     command, namespace, file, name, replaced = (tag.get(key, scope) for key in _ATTRIBUTES)
-    replace = flag(replaced, "subst_value")
+    replace = tag.flag("subst_value", replaced)
     command = command or "load"
     name = joined(namespace or "", name or "")
     full = joined(scope.namespace, name) if name else scope.namespace
@@ -50,7 +49,8 @@ def _take(tag: Tag, scope: Scope) -> None:
         tag.state.steps.append(ParameterStep(command="dump", name=tidy(full), file=file))
     elif command == "delete":
         if file is not None:
-            raise _wrong("'file' attribute is invalid with 'delete' command.", "file", "Remove it.")
+            words = "'file' attribute is invalid with 'delete' command."
+            raise _wrong(words, "file", "Remove it.").at(tag.place_of("file"))
         tag.state.steps.append(ParameterStep(command="delete", name=tidy(full)))
     else:
         words = "command must be 'load', 'dump', or 'delete'"
@@ -62,7 +62,7 @@ def _load(
 ) -> None:
     text = tag.element.text if file is None else _text_of(tag, file)
     if replace:
-        text = tag.state.substitution.resolve(text, scope)
+        text = _replaced(tag, scope, file, text)
     tag.state.budget.yaml(len(text))
     try:
         value = load_yaml(text, file=file)
@@ -72,13 +72,20 @@ def _load(
         raise Refused(
             Kind.VALUE,
             "'param' attribute must be set for non-dictionary values",
-            Lesson(
-                rule=YAML,
-                what="this YAML is no mapping of names to values, so its value has no name",
-                remedy='Write `name: value`, or give the name by param="...".',
-            ),
+            _no_mapping(value),
         )
     tag.state.add_tree(full, value, tag.place, Path(file) if file else None)
+
+
+def _no_mapping(value: object) -> Lesson:
+    """What to say of a value without a name; of `speed:1`, which is one word, too."""
+    what = "this YAML is no mapping of names to values, so its value has no name"
+    remedy = 'Write `name: value`, or give the name by param="...".'
+    name, colon, rest = value.partition(":") if isinstance(value, str) else ("", "", "")
+    if colon and name and rest:
+        what = "this YAML is one word, for there is no blank behind the colon"
+        remedy = f"Write {name}: {rest.strip()}".split("\n")[0][:80]
+    return Lesson(rule=YAML, what=what, remedy=remedy)
 
 
 def _text_of(tag: Tag, file: str) -> str:
@@ -90,6 +97,21 @@ def _text_of(tag: Tag, file: str) -> str:
         return files.read_text(file)
     except Refused as refused:
         raise refused.at(tag.place_of("file")) from None
+
+
+def _replaced(tag: Tag, scope: Scope, file: str | None, text: str) -> str:
+    """The text with every `$(...)` replaced; one that cannot be is named with its line."""
+    resolve = tag.state.substitution.resolve
+    try:
+        return resolve(text, scope)
+    except Refused as refused:
+        for number, line in enumerate(text.split("\n"), 1):
+            try:
+                resolve(line, scope)
+            except Refused:
+                refused.mark = (number, line.index("$(") + 1)
+                break
+        raise _with_place(refused, tag, file, text) from None
 
 
 def _with_place(refused: Refused, tag: Tag, file: str | None, text: str) -> Refused:

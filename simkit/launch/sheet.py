@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from xml.parsers import expat
 
 from simkit.launch.refusal import Kind, Lesson, Place, Refused
 from simkit.launch.rules import SYNTAX
-from simkit.xml import Document, Element, FaultKind, Span, parse_xml
+from simkit.xml import Document, Element, Fault, FaultKind, Span, parse_xml
 
 _ROOT = "Invalid roslaunch XML syntax: no root <launch> tag"
 _REFUSED_UNSEEN = (FaultKind.ENTITY, FaultKind.TOO_DEEP)
@@ -91,7 +92,7 @@ def _verdict_of_expat(data: bytes) -> str | None:
 def _not_xml(sheet: Sheet, words: str | None) -> Refused:
     faults = sheet.document.faults
     if faults:
-        first = faults[0]
+        first = _cause_of(faults)
         what, remedy, span = first.what, first.remedy, first.span
     else:
         what, remedy, span = f"this is not XML: {words}", "Look at this place.", _place(words or "")
@@ -103,6 +104,15 @@ def _not_xml(sheet: Sheet, words: str | None) -> Refused:
         Lesson(rule=SYNTAX, what=what, remedy=remedy),
         place=Place(sheet=sheet, span=span),
     )
+
+
+def _cause_of(faults: Sequence[Fault]) -> Fault:
+    """The first fault, or the one that it follows from: a tag that is torn counts as not closed, too."""
+    first = faults[0]
+    if first.kind is not FaultKind.UNCLOSED:
+        return first
+    torn = (one for one in faults[1:] if one.kind is FaultKind.MALFORMED_TAG)
+    return next((one for one in torn if one.span.line == first.span.line), first)
 
 
 def _place(words: str) -> Span:

@@ -40,7 +40,7 @@ def take_argument(tag: Tag, scope: Scope) -> None:
                 at="default",
             )
         scope.declare(name, value=value, default=default)
-        if scope.parent is None and not value:
+        if scope.parent is None and value is None:
             tag.state.arguments.append(ArgumentDoc(name=name, default=default, doc=doc))
     except Refused as refused:
         refused.at(tag.place)
@@ -120,7 +120,7 @@ def take_machine(tag: Tag, scope: Scope) -> None:
         return
     tag.check_attributes(_MACHINE)
     try:
-        tag.required("name", scope)
+        tag.state.machines.append(tag.required("name", scope))
         tag.required("address", scope)
     except Refused as refused:
         if refused.kind is not Kind.KEY:

@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from simkit.diagnostics import Diagnostic, Severity
+from simkit.graph.sendable import why_unsendable
 from simkit.launch.budget import Budget
 from simkit.launch.files import Files
 from simkit.launch.plan import ArgumentDoc, Origin, ParameterStep, PlannedNode
-from simkit.launch.refusal import Kind, Lesson, Place, Refused
+from simkit.launch.refusal import Kind, Lesson, Place, Refused, ours
 from simkit.launch.rules import ATTRIBUTE, YAML
 from simkit.launch.scope import joined, tidy
 from simkit.launch.substitution import Substitution
@@ -18,8 +19,6 @@ from simkit.launch.telling import diagnostic_of
 
 MAX_WARNINGS = 200
 """So many warnings are kept."""
-_INT_LIMIT = 2**31
-"""Whole numbers of parameters are smaller: ROS sends them in 32 bits."""
 
 
 @dataclass(slots=True)
@@ -34,7 +33,9 @@ class State:
     places: dict[str, Place] = field(default_factory=dict)
     clear_params: list[str] = field(default_factory=list)
     steps: list[ParameterStep] = field(default_factory=list)
-    nodes: list[PlannedNode] = field(default_factory=list)
+    nodes: dict[str, PlannedNode] = field(default_factory=dict)
+    machines: list[str] = field(default_factory=list)
+    wanted_machines: list[tuple[str, Place]] = field(default_factory=list)
     launch_files: list[str] = field(default_factory=list)
     arguments: list[ArgumentDoc] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
@@ -48,6 +49,7 @@ class State:
         """
         self.budget.tag()
         name = tidy(name)
+        _require_a_name(name)
         _require_sendable(name, value)
         for parent in _above(name):
             if parent in self.params:
@@ -83,7 +85,7 @@ class State:
             Refused: There is one of its name.
         """
         name = node.resolved_name
-        twin = next((other for other in self.nodes if other.resolved_name == name), None)
+        twin = self.nodes.get(name)
         if twin is not None:
             words = (
                 f"roslaunch file contains multiple nodes named [{name}].\nPlease check all <node> 'name' "
@@ -92,7 +94,20 @@ class State:
             what = f"two nodes are named {name}; the first is at {twin.shown_file}:{twin.span.line}"
             lesson = Lesson(rule=ATTRIBUTE, what=what, remedy="Give each node a name of its own.")
             raise Refused(Kind.LOAD, words, lesson)
-        self.nodes.append(node)
+        self.nodes[name] = node
+
+    def require_machines(self) -> None:
+        """See that each machine that a node is meant for is there.
+
+        Raises:
+            Refused: One is not.
+        """
+        for name, place in self.wanted_machines:
+            if name not in self.machines:
+                what = f"there is no <machine> named {name!r}"
+                remedy = "Remove machine=: all nodes run in this simulation."
+                lesson = Lesson(rule=ATTRIBUTE, what=what, remedy=remedy)
+                raise Refused(Kind.LOAD, f"ERROR: unknown machine [{name}]", lesson, place=place)
 
     def warn(self, text: str, *, plain: bool = False) -> None:
         """Keep a warning of roslaunch.
@@ -110,6 +125,13 @@ class State:
             self.diagnostics.append(diagnostic_of(lesson, place, severity))
 
 
+def _require_a_name(name: str) -> None:
+    """Refuse a value for the root of all parameters: the server would, when nobody knows the tag any more."""
+    if name == "/":
+        what = "a parameter without a name would be the root of all parameters"
+        raise ours(ATTRIBUTE, what, 'Write a name, e.g. name="speed".')
+
+
 def _above(name: str) -> list[str]:
     parts = name.split("/")[1:-1]
     return ["/" + "/".join(parts[: count + 1]) for count in range(len(parts))]
@@ -117,21 +139,9 @@ def _above(name: str) -> list[str]:
 
 def _require_sendable(name: str, value: Any) -> None:
     """Refuse what roslaunch cannot send to the parameter server: it finds out when it tries."""
-    parts = [value]
-    while parts:
-        part = parts.pop()
-        if isinstance(part, dict):
-            parts += [*part.keys(), *part.values()]
-        elif isinstance(part, list):
-            parts += part
-        elif isinstance(part, int) and not -_INT_LIMIT <= part < _INT_LIMIT:
-            raise _unsendable(name, value, "int exceeds XML-RPC limits", f"{part} is too large")
-        elif part is None:
-            cause = "cannot marshal None unless allow_none is enabled"
-            raise _unsendable(name, value, cause, "a parameter cannot be empty (null)")
-        elif not isinstance(part, bool | int | float | str | bytes):
-            cause = f"cannot marshal {type(part)} objects"
-            raise _unsendable(name, value, cause, f"{part} is a {type(part).__name__} in YAML")
+    found = why_unsendable(value)
+    if found is not None:
+        raise _unsendable(name, value, found.cause, found.what)
 
 
 def _unsendable(name: str, value: Any, cause: str, what: str) -> Refused:
@@ -151,5 +161,6 @@ def _no_mapping() -> Lesson:
 def _bad_key(key: object) -> Refused:
     words = f"{type(key).__name__!r} object is not subscriptable"
     what = f"{key!r} cannot be the name of a parameter"
-    lesson = Lesson(rule=YAML, what=what, remedy=f'Put it in quotation marks: "{key}".')
+    remedy = f'Put it in quotation marks: "{key}".' if key != "" else "Write a name."
+    lesson = Lesson(rule=YAML, what=what, remedy=remedy)
     return Refused(Kind.OTHER, words, lesson, name="TypeError")

@@ -180,13 +180,23 @@ def _unknown(content: str, command: str) -> Refused:
 def _no_argument(name: str, scope: Scope) -> Lesson:
     if name in scope.declared:
         what = f"the argument {name!r} has no value"
-        remedy = f"Give it one: {name}:=... on the command line, or default= in its <arg>."
+        remedy = f"Give it one: {_how_to_give(name, scope)}, or default= in its <arg>."
+        strays = [given for given in scope.arguments if given not in scope.declared]
+        if near := near_names(name, strays):
+            remedy = f"Write {name!r} where {near[0]!r} is given, which nobody declares."
     else:
         what = f"there is no argument {name!r} here"
         remedy = f'Declare it above: <arg name="{name}" default="..."/>.'
         if near := near_names(name, scope.arguments):
             remedy = f"Did you mean $(arg {near[0]})?"
     return Lesson(rule=SUBSTITUTION, what=what, remedy=remedy)
+
+
+def _how_to_give(name: str, scope: Scope) -> str:
+    """How whoever uses the file gives its argument a value."""
+    if scope.sheet.included_at is None:
+        return f"{name}:=... on the command line"
+    return f'<arg name="{name}" value="..."/> in the <include>'
 
 
 def _require_words(command: str, words: list[str], content: str) -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+import contextlib
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
 from simkit.errors import near_names
@@ -11,8 +12,11 @@ from simkit.launch.rules import ATTRIBUTE, UNKNOWN
 from simkit.launch.scope import Scope
 from simkit.launch.sheet import Sheet
 from simkit.launch.state import State
-from simkit.launch.values import truth
+from simkit.launch.values import flag, truth
 from simkit.xml import Element
+
+_OF_ROS_2 = {"type": ("exec", "executable"), "ns": ("namespace",)}
+"""What the launch files of ROS 2 call an attribute."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,10 +62,8 @@ class Tag:
         value = self.element.get(attribute)
         if value is None:
             return None
-        try:
+        with self.about(attribute):
             return self.state.substitution.resolve(value, scope)
-        except Refused as refused:
-            raise refused.at(self.place_of(attribute)) from None
 
     def required(self, attribute: str, scope: Scope) -> str:
         """The value of an attribute that must be there.
@@ -73,7 +75,9 @@ class Tag:
         if value is None:
             what = f"<{self.name}> has no attribute {attribute!r}"
             remedy = f'Write {attribute}="..." into it.'
-            if near := near_names(attribute, (one.name for one in self.element.attributes)):
+            given = [one.name for one in self.element.attributes]
+            other = [one for one in given if one in _OF_ROS_2.get(attribute, ())]
+            if near := other or near_names(attribute, given):
                 remedy = f"Write {attribute}= where {near[0]}= stands."
             lesson = Lesson(rule=ATTRIBUTE, what=what, remedy=remedy)
             raise Refused(Kind.KEY, f"'{attribute}'", lesson, place=self.place)
@@ -82,6 +86,23 @@ class Tag:
     def place_of(self, attribute: str) -> Place:
         """Where the value of an attribute stands; the tag itself if it has none."""
         return Place(sheet=self.sheet, span=self.element.span_of(attribute))
+
+    @contextlib.contextmanager
+    def about(self, attribute: str) -> Iterator[None]:
+        """A fault in the body without a place of its own is one of this attribute."""
+        try:
+            yield
+        except Refused as refused:
+            raise refused.at(self.place_of(attribute)) from None
+
+    def flag(self, attribute: str, value: str | None) -> bool:
+        """Whether an attribute's value says true; false if it is None.
+
+        Raises:
+            Refused: It is neither true nor false.
+        """
+        with self.about(attribute):
+            return flag(value, attribute)
 
     def applies(self, scope: Scope) -> bool:
         """Whether its `if` or `unless` lets it count.
@@ -98,10 +119,8 @@ class Tag:
         value = wanted if wanted is not None else unwanted
         if value is None:
             return True
-        try:
+        with self.about(attribute):
             return truth(value) is (attribute == "if")
-        except Refused as refused:
-            raise refused.at(self.place_of(attribute)) from None
 
     def check_attributes(self, known: Collection[str]) -> None:
         """Warn of attributes that nobody knows."""

@@ -12,7 +12,9 @@ from simkit.errors import near_names
 from simkit.launch.refusal import Kind, Lesson, Refused
 from simkit.launch.rules import ATTRIBUTE
 
-_TYPES = ("auto", "str", "string", "int", "double", "bool", "boolean", "yaml")
+TYPES = ("auto", "str", "string", "int", "double", "bool", "boolean", "yaml")
+"""What `type=` may be."""
+_LONGEST = 40
 _TRUTH = {"true": True, "1": True, "false": False, "0": False}
 
 
@@ -36,14 +38,14 @@ def convert(text: str, type_name: str) -> Any:
             return int(text) if kind == "int" else float(text)
         except ValueError as error:
             word = "a whole number" if kind == "int" else "a number"
-            raise _wrong(str(error), f"{text!r} is not {word}", f"Write {word}.") from None
+            raise _wrong(str(error), f"{_short(text)} is not {word}", f"Write {word}.") from None
     if kind in ("bool", "boolean"):
         return truth(text, kind)
     if kind == "yaml":
         from simkit.launch.yaml_text import plain_yaml
 
         return plain_yaml(text)
-    near = " or ".join(near_names(type_name, _TYPES)) or "str, int, double, bool or yaml"
+    near = " or ".join(near_names(type_name, TYPES)) or "str, int, double, bool or yaml"
     raise _wrong(
         f"Unknown type '{kind}'", f"there is no type {type_name!r}", f"Did you mean {near}?"
     )
@@ -59,7 +61,7 @@ def truth(text: str, type_name: str = "bool") -> bool:
     if lowered not in _TRUTH:
         raise _wrong(
             f"{lowered} is not a '{type_name}' type",
-            f"{text!r} is neither true nor false",
+            f"{_short(text)} is neither true nor false",
             "Write true, false, 1 or 0.",
         )
     return _TRUTH[lowered]
@@ -100,6 +102,11 @@ def seconds(text: str | None, label: str) -> float:
         what = f"{label}={text!r} is not a number of seconds"
         lesson = Lesson(rule=ATTRIBUTE, what=what, remedy="Write a number, e.g. 1.5.")
         raise Refused(Kind.SYNTAX, words, lesson) from None
+
+
+def _short(text: str) -> str:
+    """A text for a message: of a whole file only the beginning."""
+    return repr(text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "...")
 
 
 def _automatic(text: str) -> Any:

@@ -8,9 +8,9 @@ from simkit.errors import near_names
 from simkit.launch.budget import MAX_GROUP_DEPTH, MAX_INCLUDE_DEPTH, MAX_LAUNCH_BYTES
 from simkit.launch.node_tag import take_node
 from simkit.launch.param_tag import take_param
-from simkit.launch.refusal import Kind, Lesson, Refused, ours
+from simkit.launch.refusal import Kind, Lesson, Place, Refused, ours
 from simkit.launch.rosparam_tag import take_rosparam
-from simkit.launch.rules import ARGUMENT, TOO_MUCH, UNKNOWN
+from simkit.launch.rules import ARGUMENT, STRAY_TEXT, TOO_MUCH, UNKNOWN
 from simkit.launch.scope import Scope
 from simkit.launch.sheet import Sheet, read_sheet
 from simkit.launch.small_tags import (
@@ -21,7 +21,6 @@ from simkit.launch.small_tags import (
 )
 from simkit.launch.state import State
 from simkit.launch.tag import Tag, namespace_of
-from simkit.launch.values import flag
 from simkit.xml import Element
 
 
@@ -38,15 +37,13 @@ def walk(root: Element, sheet: Sheet, scope: Scope, state: State, depth: int = 0
     Raises:
         Refused: A tag makes no sense, or there are too many.
     """
+    _note_stray_text(Tag(root, sheet, state))
     for element in root.children:
-        state.budget.tag()
         tag = Tag(element, sheet, state)
-        if element.name == "group":
-            _take_group(tag, scope, depth)
-        elif element.name in _HANDLERS:
-            _HANDLERS[element.name](tag, scope)
-        elif element.name != "master":
-            _unknown_tag(tag)
+        try:
+            _take(tag, scope, depth)
+        except Refused as refused:
+            raise refused.at(tag.place) from None
 
 
 def open_sheet(name: str, state: State, tag: Tag | None = None) -> tuple[Sheet, Element]:
@@ -79,6 +76,19 @@ def open_sheet(name: str, state: State, tag: Tag | None = None) -> tuple[Sheet, 
     return sheet, root
 
 
+def _take(tag: Tag, scope: Scope, depth: int) -> None:
+    tag.state.budget.tag()
+    if tag.name == "group":
+        _take_group(tag, scope, depth)
+        return
+    if tag.name != "rosparam":
+        _note_stray_text(tag)
+    if tag.name in _HANDLERS:
+        _HANDLERS[tag.name](tag, scope)
+    elif tag.name != "master":
+        _unknown_tag(tag)
+
+
 def _take_group(tag: Tag, scope: Scope, depth: int) -> None:
     if not tag.applies(scope):
         return
@@ -96,7 +106,7 @@ def _take_include(tag: Tag, scope: Scope) -> None:
         return
     tag.check_attributes(("file", "ns", "clear_params", "pass_all_args"))
     name = tag.required("file", scope)
-    passes_all = flag(tag.get("pass_all_args", scope), "pass_all_args")
+    passes_all = tag.flag("pass_all_args", tag.get("pass_all_args", scope))
     inner = scope.for_include(_cleared_namespace(tag, scope))
     if passes_all:
         for argument, value in scope.arguments.items():
@@ -139,7 +149,7 @@ def _enter(tag: Tag, name: str, inner: Scope, *, passes_all: bool) -> None:
 def _cleared_namespace(tag: Tag, scope: Scope) -> str | None:
     """The namespace of a group or include; noted if its parameters are to be cleared."""
     namespace = namespace_of(tag, scope)
-    if flag(tag.get("clear_params", scope) or None, "clear_params"):
+    if tag.flag("clear_params", tag.get("clear_params", scope) or None):
         if not namespace:
             words = "'ns' attribute must be set in order to use 'clear_params'"
             raise tag.refuse(words, "clear_params= needs ns=", 'Write ns="...".', at="clear_params")
@@ -175,6 +185,18 @@ def _unknown_in_include(tag: Tag, child: Tag) -> None:
     what = f"<{child.name}> cannot stand in an <include>: it is ignored"
     lesson = Lesson(rule=UNKNOWN, what=what, remedy="Only <arg> and <env> can.")
     tag.state.teach(lesson, child.place)
+
+
+def _note_stray_text(tag: Tag) -> None:
+    """Tell of text that nobody reads; most often it is a second `>`."""
+    text, span = tag.element.text.strip(), tag.element.text_span
+    if not text or span is None:
+        return
+    shown = text.split("\n")[0][:40]
+    what = f"the text {shown!r} in <{tag.name}> is read by nobody"
+    remedy = "Remove it, or make a comment of it: <!-- ... -->."
+    lesson = Lesson(rule=STRAY_TEXT, what=what, remedy=remedy)
+    tag.state.teach(lesson, Place(sheet=tag.sheet, span=span))
 
 
 def _unknown_tag(tag: Tag) -> None:

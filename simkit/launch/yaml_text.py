@@ -1,8 +1,4 @@
-"""YAML of `<rosparam>` and of `type="yaml"`: PyYAML's safe loader, as roslaunch uses it, and bounds for aliases.
-
-An alias (`*name`) repeats what an anchor (`&name`) has marked. A few lines of aliases of aliases stand for billions of values,
-so what a text unfolds to is counted before anything is made of it.
-"""
+"""YAML of `<rosparam>` and of `type="yaml"`: PyYAML's safe loader, as roslaunch uses it, and bounds."""
 
 from __future__ import annotations
 
@@ -14,10 +10,7 @@ from simkit.launch.rules import YAML
 if TYPE_CHECKING:
     import yaml
 
-MAX_VALUES = 100_000
-"""Values that one YAML text may unfold to."""
-MAX_DEPTH = 50
-"""How deep they may be nested."""
+_REMEDY = "Write `name: value` with a blank behind the colon, and nest with blanks, not tabs."
 
 
 def load_yaml(text: str, *, file: str | None = None) -> Any:
@@ -68,46 +61,20 @@ def _mark_of(error: BaseException) -> tuple[int, int] | None:
 
 
 def _load(text: str, loader_class: type[yaml.SafeLoader]) -> Any:
+    from simkit.tools.yaml_bounds import REMEDY, TooManyValues, require_bounded
+
     loader = loader_class(text)
     try:
         node = loader.get_single_node()
         if node is None:
             return None
-        _require_bounded(node)
+        require_bounded(node)
         return loader.construct_document(node)
+    except TooManyValues as error:
+        lesson = Lesson(rule=YAML, what=str(error), remedy=REMEDY)
+        raise Refused(Kind.OURS, "too many values", lesson) from None
     finally:
         loader.dispose()
-
-
-def _require_bounded(node: yaml.Node) -> None:
-    sizes: dict[int, int] = {}
-    if _size(node, sizes, 0) > MAX_VALUES:
-        raise Refused(
-            Kind.OURS,
-            "too many values",
-            Lesson(
-                rule=YAML,
-                what=f"this YAML unfolds to more than {MAX_VALUES} values",
-                remedy="Write the values out, without aliases of aliases (*name).",
-            ),
-        )
-
-
-def _size(node: yaml.Node, sizes: dict[int, int], depth: int) -> int:
-    """How many values a node stands for, aliases unfolded; what is open counts as without end."""
-    if id(node) in sizes:
-        return sizes[id(node)]
-    if depth > MAX_DEPTH:
-        return MAX_VALUES + 1
-    sizes[id(node)] = MAX_VALUES + 1  # an alias of what it stands in
-    value = node.value
-    parts = [] if isinstance(value, str) else value
-    total = 1
-    for part in parts:
-        for one in part if isinstance(part, tuple) else (part,):
-            total = min(total + _size(one, sizes, depth + 1), MAX_VALUES + 1)
-    sizes[id(node)] = total
-    return total
 
 
 def _in_file(file: str, cause: object) -> str:
@@ -121,6 +88,6 @@ def _not_yaml(words: str, error: BaseException) -> Refused:
     lesson = Lesson(
         rule=YAML,
         what=f"{where}{problem}",
-        remedy="Write `name: value` with a blank behind the colon, and nest with blanks, not tabs.",
+        remedy=getattr(error, "remedy", _REMEDY),
     )
     return Refused(Kind.VALUE, words, lesson, mark=place)

@@ -113,14 +113,18 @@ class Host:
             request = json.loads(terminal.data)
             allowed = secrets.compare_digest(str(request["token"]), self._token)
             argv = [str(word) for word in request["argv"]]
+            here = str(request["here"])
+            folders = [str(folder) for folder in request["folders"]]
         except (ValueError, KeyError, TypeError, RecursionError):
             allowed = False
         if not allowed:
             self._drop(terminal)
             return
+        self._sim.packages.prefer(folders)
         try:
-            terminal.job = self.begin(argv)
-        except SimkitError as error:
+            with contextlib.chdir(here):  # what the terminal names is in its folder
+                terminal.job = self.begin(argv)
+        except (SimkitError, OSError) as error:
             terminal.say(error=str(error), exit=1)
             self._drop(terminal)
             return

@@ -36,12 +36,12 @@ class LaunchJob:
 
     def poll(self) -> str:
         """What its nodes and the launch itself have said since the last time."""
-        over = self._launch.exit_code is not None
+        over = self._launch.exit_code is not None and not self._launch.alive
         text, self._text = self._text, ""
         text += "".join([*self._outputs(), *self._log(), self._new_lines()])
         if over and self.exit_code is None:
             self.exit_code = exit_code_of(self._launch)
-            text += CLOSING if self._launch.handles else f"{NO_PROCESSES}\n{CLOSING}"
+            text += f"{CLOSING}done\n" if self._launch.handles else f"{NO_PROCESSES}\n{CLOSING}"
         return text
 
     def cancel(self) -> None:

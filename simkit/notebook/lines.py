@@ -10,14 +10,15 @@ from functools import partial
 
 from simkit.cli import main as command_line
 from simkit.errors import SimkitError
-from simkit.launch import LaunchError, summary_of
+from simkit.launch import LaunchError, listings, summary_of
 from simkit.new_package import create_package
 from simkit.nodes import builtin_nodes
 from simkit.notebook.current import current_simulation
 from simkit.notebook.sliders import show_sliders
 from simkit.notebook.starting import StartWatch
 from simkit.notebook.windows import show_windows
-from simkit.tools import Bounds, run_tool
+from simkit.tools import Bounds, HelpShown, run_tool
+from simkit.tools.command_line import ArgumentParser
 
 START_SECONDS = 0.5
 """How long a simulation runs after a node was started, so that its first faults show [s]."""
@@ -64,9 +65,15 @@ def rosrun(words: list[str]) -> None:
 def roslaunch(words: list[str]) -> None:
     """Start a launch file: `%roslaunch package file [name:=value]`; `--screen` shows what all its nodes print.
 
+    With `--nodes`, `--dump-params`, `--files`, `--ros-args`, `--args NODE` or `--find-node NODE` nothing is started.
+
     The simulation runs for half a second, so that what the nodes say at their start stands below.
     """
-    names = [word for word in words if word != "--screen"]
+    try:
+        options, names = _roslaunch_parser().parse_known_args(words)
+    except HelpShown as text:
+        print(text)
+        return
     if not names:
         raise SimkitError("usage: %roslaunch PACKAGE FILE [NAME:=VALUE]")
     sim = current_simulation()
@@ -74,14 +81,25 @@ def roslaunch(words: list[str]) -> None:
         plan = sim.launch_plan(*names)
     except LaunchError as error:
         raise LineError(str(error)) from None  # the words of roslaunch have several lines
+    if listings.wants_list(options):
+        print(listings.list_text(plan, options, sim.packages), end="")
+        return
     print(summary_of(plan))
     with StartWatch(sim) as watch:
-        launch = sim.roslaunch(plan, all_on_screen="--screen" in words)
+        launch = sim.roslaunch(plan, all_on_screen=options.screen)
         sim.run(START_SECONDS)
     watch.show_launch(launch)
     nodes = list(launch.nodes.values())
     show_windows(sim, nodes)
     show_sliders(sim, nodes)
+
+
+def _roslaunch_parser() -> ArgumentParser:
+    usage = "%%roslaunch [OPTIONS] PACKAGE FILE [NAME:=VALUE]"
+    parser = ArgumentParser("%roslaunch", usage=usage)
+    parser.add_argument("--screen", action="store_true", help="show what all nodes print")
+    listings.add_list_options(parser)
+    return parser
 
 
 def tool(name: str, words: list[str]) -> None:

@@ -15,6 +15,7 @@ from typing import Any
 import yaml
 
 from simkit.tools.errors import ToolError
+from simkit.tools.yaml_bounds import load_documents
 
 _OPERATORS: dict[type[ast.AST], Callable[..., float]] = {
     ast.Add: operator.add,
@@ -30,16 +31,49 @@ class ParameterLoader(yaml.SafeLoader):  # type: ignore[misc]  # PyYAML tells no
     """A safe loader that knows angles."""
 
 
-def load_parameters(text: str) -> list[Any]:
+class AngleError(ToolError):
+    """An angle that cannot be read.
+
+    Args:
+        problem: What rosparam says.
+        remedy: What would be right; a sentence.
+        problem_mark: Where it stands, as in PyYAML's own errors.
+    """
+
+    def __init__(self, problem: str, remedy: str, problem_mark: Any) -> None:
+        super().__init__(f"ERROR: {problem}")
+        self.problem = problem
+        self.remedy = remedy
+        self.problem_mark = problem_mark
+
+
+def load_parameters(text: str, *, file: str = "") -> list[Any]:
     """The values of a YAML text, one for each document in it.
+
+    Args:
+        text: The text.
+        file: The file that it comes from; empty for words of a command line.
 
     Raises:
         ToolError: It is not YAML, or an angle cannot be read.
     """
     try:
-        return list(yaml.load_all(text, ParameterLoader))
+        return list(load_documents(text, ParameterLoader))
     except yaml.YAMLError as error:
-        raise ToolError(f"ERROR: not YAML: {' '.join(str(error).split())}") from error
+        problem = getattr(error, "problem", None) or " ".join(str(error).split())
+        raise ToolError(f"ERROR: {_place_of(error, file)}not YAML: {problem}") from error
+    except ToolError as error:
+        words = str(error).removeprefix("ERROR: ")
+        raise ToolError(f"ERROR: {_place_of(error, file)}{words}") from None
+    except ValueError as error:  # e.g. the 31st of February
+        raise ToolError(f"ERROR: {_place_of(error, file)}not YAML: {error}") from None
+
+
+def _place_of(error: Exception, file: str) -> str:
+    """File, line and column of a fault, with a colon behind it; empty for words of a command line."""
+    mark = getattr(error, "problem_mark", None)
+    place = "" if mark is None else f":{mark.line + 1}:{mark.column + 1}"
+    return f"{file}{place}: " if file else ""
 
 
 def dump_parameters(value: Any) -> str:
@@ -53,7 +87,10 @@ def _degrees(loader: ParameterLoader, node: Any) -> float:
     try:
         return float(number) * math.pi / 180.0
     except ValueError:
-        raise ToolError(f"ERROR: invalid degree value: {text}") from None
+        remedy = (
+            "Write a number of degrees, deg(90); an expression must be one of radians, rad(pi/2)."
+        )
+        raise AngleError(f"invalid degree value: {text}", remedy, node.start_mark) from None
 
 
 def _radians(loader: ParameterLoader, node: Any) -> float:
@@ -62,7 +99,8 @@ def _radians(loader: ParameterLoader, node: Any) -> float:
     try:
         return _value(ast.parse(expression.strip(), mode="eval").body)
     except (SyntaxError, ValueError, ZeroDivisionError, RecursionError):
-        raise ToolError(f"ERROR: invalid radian expression: {text}") from None
+        remedy = "Write numbers, pi and + - * / in it: rad(pi/2)."
+        raise AngleError(f"invalid radian expression: {text}", remedy, node.start_mark) from None
 
 
 def _value(node: ast.AST) -> float:

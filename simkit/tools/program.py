@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from simkit.graph import Node
 
 
@@ -19,6 +21,7 @@ class Program:
 
     def __init__(self, node: Node) -> None:
         self._node = node
+        self._folder = Path.cwd()  # of whoever starts it: files that it names are there
         self._output = ""
         self.exit_code: int | None = None
 

@@ -5,10 +5,12 @@ Source: rosparam of ROS Noetic, outputs and texts: setting a mapping keeps what 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from simkit.graph import Graph
+from simkit.graph.sendable import why_unsendable
 from simkit.tools.command_line import ArgumentParser, Call
 from simkit.tools.errors import ToolError, near_hint
 from simkit.tools.parameter_yaml import dump_parameters, load_parameters
@@ -78,7 +80,7 @@ def load(graph: Graph, file: str | Path, namespace: str = "/") -> None:
     path = Path(file)
     if not path.is_file():
         raise ToolError(f"ERROR: file [{file}] does not exist")
-    for document in load_parameters(path.read_text("utf-8")):
+    for document in load_parameters(_text_of(path), file=str(file)):
         name, values = resolved(namespace), document
         if isinstance(document, dict) and _NAMESPACE_KEY in document:
             values = dict(document)
@@ -107,15 +109,37 @@ def _value(graph: Graph, name: str) -> Any:
 
 
 def _set(graph: Graph, name: str, value: Any) -> None:
+    """Set a value, or all values of a mapping, or none if one of them cannot be set."""
+    found = list(_leaves(name, value))
+    for full, leaf in found:
+        if reason := why_unsendable(leaf):
+            raise ToolError(f"ERROR: {full}: {reason.what}")
+    for full, leaf in found:
+        graph.params.set(full, leaf)
+
+
+def _leaves(name: str, value: Any) -> Iterator[tuple[str, Any]]:
+    """The values in a mapping, each with its global name."""
     if not isinstance(value, dict):
-        graph.params.set(name, value)
+        yield name, value
         return
     for key, item in value.items():
         if not isinstance(key, str):
             raise ToolError(
                 f"ERROR: YAML dictionaries must have string keys. Invalid dictionary is:\n{value}"
             )
-        _set(graph, _join(name, key), item)
+        yield from _leaves(_join(name, key), item)
+
+
+def _text_of(path: Path) -> str:
+    try:
+        return path.read_text("utf-8")
+    except UnicodeDecodeError:
+        raise ToolError(
+            f"ERROR: file [{path}] is not a text in UTF-8; save it with that encoding"
+        ) from None
+    except OSError as error:
+        raise ToolError(f"ERROR: file [{path}] cannot be read: {error.strerror}") from None
 
 
 def _join(namespace: str, name: str) -> str:
@@ -161,7 +185,7 @@ def _set_command(call: Call) -> None:
     path = Path(found.textfile)
     if not path.is_file():
         parser.error(f"file '{path}' does not exist")
-    call.world.graph.params.set(resolved(found.parameter), path.read_text("utf-8"))
+    call.world.graph.params.set(resolved(found.parameter), _text_of(path))
 
 
 def _list_command(call: Call) -> None:
@@ -193,7 +217,14 @@ def _dump_command(call: Call) -> None:
     if found.file is None:
         call.write(text)
     else:
-        Path(found.file).write_text(text, "utf-8")
+        _write_text(Path(found.file), text)
+
+
+def _write_text(path: Path, text: str) -> None:
+    try:
+        path.write_text(text, "utf-8")
+    except OSError as error:
+        raise ToolError(f"ERROR: file [{path}] cannot be written: {error.strerror}") from None
 
 
 COMMANDS = {

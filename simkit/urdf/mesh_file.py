@@ -6,6 +6,7 @@ trimesh loads slowly, so it is imported when the first mesh is met.
 from __future__ import annotations
 
 import io
+import re
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,9 @@ FORMATS = (".dae", ".obj", ".stl")
 """Kinds of files, as RViz and Gazebo read them."""
 MAX_BYTES = 50_000_000
 """Longest file."""
+_UNIT = re.compile(rb"""<unit\b[^<>]*?\bmeter\s*=\s*["']\s*([0-9.eE+-]+)\s*["']""")
+# No robot of the course has such a mesh, so the library for them is no dependency of this package.
+_TO_READ_DAE = "trimesh needs one more library: pip install pycollada"
 
 
 class MeshError(SimkitError):
@@ -52,8 +56,21 @@ def _parsed(data: bytes, suffix: str) -> Any:
 
     try:
         # From bytes, trimesh has no folder in which to look for more files.
-        return trimesh.load_mesh(io.BytesIO(data), file_type=suffix[1:], process=False)
+        mesh = trimesh.load_mesh(io.BytesIO(data), file_type=suffix[1:], process=False)
+        if suffix == ".dae":
+            mesh.apply_scale(metres_of_unit(data))  # type: ignore[no-untyped-call]
+        return mesh
     except ImportError as error:
-        raise MeshError(f"this Python lacks what {suffix} needs: {error}") from error
+        raise MeshError(f"to read {suffix} files, {_TO_READ_DAE}") from error
     except Exception as error:  # broken files end in errors of every kind
         raise MeshError(f"it is broken ({type(error).__name__}: {error})") from error
+
+
+def metres_of_unit(data: bytes) -> float:
+    """How long the unit of a COLLADA file is [m]; a metre if it does not say.
+
+    Source:
+        RViz' mesh loader, which minds `<unit meter="0.01"/>`, and takes no notice of `<up_axis>`.
+    """
+    found = _UNIT.search(data)
+    return float(found[1]) if found else 1.0

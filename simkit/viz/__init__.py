@@ -20,6 +20,7 @@ from simkit.viz.plots.joint_plot import JointPlot
 from simkit.viz.plots.model_recording import ModelRecording
 from simkit.viz.plots.path_plot import PathPlot
 from simkit.viz.plots.tracking_plot import TrackingPlot
+from simkit.viz.robot_description import robot_displays
 from simkit.viz.robot_tree import RobotTree
 from simkit.viz.rviz_program import RvizProgram
 from simkit.viz.rviz_replay import RvizReplay
@@ -59,5 +60,6 @@ __all__ = [
     "controlled_joints",
     "display_of",
     "displays_of",
+    "robot_displays",
     "transform_series",
 ]

@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from simkit.errors import UnknownNameError
 from simkit.msgs import Time
+from simkit.saving import save_as
 from simkit.tf import Buffer
 from simkit.viz.drawing import Drawing
 from simkit.viz.forest import Forest, forest_of
 from simkit.viz.frames_dot import dot_text
 from simkit.viz.frames_sheet import draw_forest
 from simkit.viz.svg import svg_text
-
-FORMATS = (".gv", ".pdf", ".png", ".svg", ".yaml")
-"""What `FramesPicture.save` writes, by suffix."""
 
 
 class FramesPicture:
@@ -72,20 +69,16 @@ class FramesPicture:
         Raises:
             UnknownNameError: The suffix is another one.
         """
-        path = Path(path)
-        match path.suffix.lower():
-            case ".svg":
-                _write_text(path, self.to_svg())
-            case ".gv":
-                _write_text(path, self.to_dot())
-            case ".yaml":
-                _write_text(path, self.to_yaml())
-            case ".png":
-                path.write_bytes(self.to_png())
-            case ".pdf":
-                path.write_bytes(self.to_pdf())
-            case suffix:
-                raise UnknownNameError("picture format", suffix, FORMATS)
+        save_as(
+            path,
+            {
+                ".gv": self.to_dot,
+                ".pdf": self.to_pdf,
+                ".png": self.to_png,
+                ".svg": self.to_svg,
+                ".yaml": self.to_yaml,
+            },
+        )
 
     def __repr__(self) -> str:
         return f"FramesPicture({self._forest.frame_count} frames, {len(self._forest.trees)} trees)"
@@ -95,7 +88,3 @@ class FramesPicture:
 
     def _drawing(self) -> Drawing:
         return draw_forest(self._forest, self._now)
-
-
-def _write_text(path: Path, text: str) -> None:
-    path.write_text(text, encoding="utf-8", errors="backslashreplace", newline="\n")

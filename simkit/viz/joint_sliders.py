@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
+import base64
 import html
 import math
 from collections.abc import Callable
@@ -10,10 +10,9 @@ from typing import Any
 
 from simkit.errors import SimkitError
 from simkit.nodes.joint_state_publisher import JointStatePublisherGui, SliderJoint
-from simkit.viz.by_hand.notebook_widgets import ipywidgets_for
+from simkit.viz.by_hand.notebook_widgets import BOX, NotebookWidgets, ipywidgets_for
 from simkit.viz.by_hand.slider_place import is_drawn_there
 from simkit.viz.kernel_loop import KernelLoop, Later
-from simkit.viz.live_view import running_notebook
 
 STEPS = 1000
 """Places of a slider for mouse and arrow keys; a number that is typed beside it counts exactly."""
@@ -21,19 +20,20 @@ _SETTLED = 0.1
 """So long after the last move the other views are drawn once more [s of wall-clock time]."""
 
 
-class JointSliders:
+class JointSliders(NotebookWidgets):
     """Moves the joints of a joint_state_publisher_gui by hand.
 
     Each move lets the simulation run until the node has told it, so that tf and the other views
     follow. While a cell runs, a move counts at once, and time passes when the cell is done.
 
     Where widgets cannot be shown (a plain terminal, a saved notebook without a kernel) it is a
-    table of the positions, with the line of Python that moves a joint.
+    table of the positions, with the line of Python that moves a joint, and a picture of the robot.
 
     Args:
         gui: The program whose joints are moved.
         run: Lets virtual time pass [s].
         later: Where a run waits for its turn; the kernel's event loop if None.
+        picture: Makes a small picture of how the robot stands, as a PNG file; without it, there is none.
     """
 
     def __init__(
@@ -42,15 +42,16 @@ class JointSliders:
         *,
         run: Callable[[float], None],
         later: Later | None = None,
+        picture: Callable[[], bytes] | None = None,
     ) -> None:
         self._gui = gui
         self._run = run
         self._later = later or KernelLoop()
+        self._picture = picture
         self._shown: dict[str, float] = {}
         self._sliders: dict[str, Any] = {}
         self._readouts: dict[str, Any] = {}
         self._buttons: tuple[Any, ...] = ()
-        self._message: Any = None
         self._box: Any = None
         self._is_waiting = False
 
@@ -83,7 +84,7 @@ class JointSliders:
             if joint.position != self._shown.get(joint.name):
                 self._show(joint)
         if not self._gui.alive:
-            self._say(f"{self._gui.name} has ended")
+            self.say(f"{self._gui.name} has ended")
             for control in (*self._sliders.values(), *self._buttons):
                 control.disabled = True
 
@@ -109,28 +110,33 @@ class JointSliders:
             for joint in self._gui.joints
         )
         return (
-            f"<b>{html.escape(self.title)}</b><table>{rows}</table>"
+            f"{self._image()}<b>{html.escape(self.title)}</b><table>{rows}</table>"
             f"<small>Sliders need a running notebook. {html.escape(self._how_to())}</small>"
         )
 
-    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        bundle: dict[str, Any] = {"text/plain": repr(self), "text/html": self._repr_html_()}
-        if running_notebook() is not None:
-            with contextlib.suppress(SimkitError):
-                bundle = {**self.widget._repr_mimebundle_(), **bundle}
-        return bundle
+    def _image(self) -> str:
+        if self._picture is None:
+            return ""
+        data = base64.b64encode(self._picture()).decode("ascii")
+        stand = ", ".join(f"{joint.name} {_readout(joint)}" for joint in self._gui.joints)
+        words = html.escape(f"The robot with {stand}" if stand else "The robot")
+        return f'<img alt="{words}" src="data:image/png;base64,{data}" style="display:block">'
 
     def _how_to(self) -> str:
         joints = self._gui.joints
         if not joints:
             return "This robot has no joint to move."
-        return f'From Python: sim.joint_sliders().set_position("{joints[0].name}", 0.5)'
+        low, high = sorted((joints[0].lower, joints[0].upper))
+        example = round(min(max(0.5, low), high), 3)
+        if not low <= example <= high:
+            example = joints[0].position
+        return f'From Python: sim.joint_sliders().set_position("{joints[0].name}", {example:g})'
 
     # -- the widgets
 
     def _build(self, widgets: Any) -> Any:
         rows = [self._row(widgets, joint) for joint in self._gui.joints]
-        self._message = widgets.Label(layout={"display": "none"})
+        self.message = widgets.Label(layout={"display": "none"})
         self._buttons = (
             self._button(widgets, "Randomize", self._gui.randomize),
             self._button(widgets, "Center", self._gui.center),
@@ -139,8 +145,8 @@ class JointSliders:
         empty = [] if rows else [widgets.Label("This robot has no joint to move.")]
         buttons = widgets.HBox(self._buttons)
         return widgets.VBox(
-            [title, *rows, *empty, buttons, self._message],
-            layout={"border": "1px solid #bbb", "padding": "4px 8px", "width": "fit-content"},
+            [title, *rows, *empty, buttons, self.message],
+            layout=BOX,
         )
 
     def _row(self, widgets: Any, joint: SliderJoint) -> Any:
@@ -174,11 +180,6 @@ class JointSliders:
         slider.value = value
         self._readouts[joint.name].value = _unit_and_degrees(joint)
 
-    def _say(self, text: str) -> None:
-        if self._message is not None:
-            self._message.value = text
-            self._message.layout.display = None if text else "none"
-
     # -- moves
 
     def _on_move(self, name: str, value: float) -> None:
@@ -192,11 +193,11 @@ class JointSliders:
         return shown is not None and is_drawn_there(value, shown, low=slider.min, step=slider.step)
 
     def _do(self, act: Callable[[], None]) -> None:
-        self._say("")
+        self.say("")
         try:
             act()
         except SimkitError as error:
-            self._say(str(error))
+            self.say(str(error))
         for joint in self._gui.joints:
             self._show(joint)
         # Moves come faster than they can be shown: all that came meanwhile are one run.
@@ -214,12 +215,14 @@ class JointSliders:
         """Draw the other views once more: they may have passed over the last of many moves."""
         if not self._is_waiting:
             self._let_pass(0.0)
+            if self._still is not None:
+                self._still.refresh()
 
     def _let_pass(self, seconds: float) -> None:
         try:
             self._run(seconds)
         except SimkitError as error:
-            self._say(str(error))
+            self.say(str(error))
 
 
 def _readout(joint: SliderJoint) -> str:

@@ -14,8 +14,8 @@ _STEPS = (0, -1, 1, -2, 2, -3, 3, -4, 4, 5, 6, 7, 8)
 
 def label_places(
     anchors: Sequence[Point], *, widths: Sequence[float], height: float, size: Point
-) -> list[Point]:
-    """Left end of each name's middle line [px].
+) -> list[Point | None]:
+    """Left end of each name's middle line [px]; None for a name that has no room.
 
     Args:
         anchors: The points.
@@ -24,14 +24,16 @@ def label_places(
         size: Width and height of the picture, which no name should leave.
     """
     taken: list[tuple[float, float, float]] = []
-    places: list[Point] = []
+    places: list[Point | None] = []
     for (x, y), width in zip(anchors, widths, strict=True):
         right, left = x + 9, x - 9 - width
         sides = (right, left) if right + width <= size[0] else (left, right)
         tried = [(side, y + _BELOW + step * height) for step in _STEPS for side in sides]
-        free = (place for place in tried if not _hits(place, width, height, taken))
-        place = next(free, tried[0])
-        taken.append((*place, width))
+        seen = [place for place in tried if height / 2 <= place[1] <= size[1] - height / 2]
+        free = (place for place in seen if not _hits(place, width, height, taken))
+        place = next(free, None)
+        if place is not None:
+            taken.append((*place, width))
         places.append(place)
     return places
 

@@ -30,6 +30,7 @@ ENDED: Final = 4000
 """Code with which a web socket is closed when the simulation is over: no use to come back."""
 FULL: Final = 4001
 """Code for a viewer too many."""
+_OWN_NAMES: Final = ("127.0.0.1", "localhost")
 _FAREWELL = 0.2
 "So long a viewer may take to hear that all is over [s of wall-clock time]."
 
@@ -148,21 +149,31 @@ class LiveServer:
         await http.close_all_connections()
 
 
-class _Page(RequestHandler):
+class _Guarded(RequestHandler):
+    """Answers only those who know the secret, and who call this computer by its own name.
+
+    A page from elsewhere whose name was made to lead here ("DNS rebinding") calls it by another.
+    """
+
     def initialize(self, server: LiveServer) -> None:
         self._server = server
 
-    def get(self, token: str) -> None:
-        if not self._server.is_secret(token):
+    def prepare(self) -> None:
+        is_own = self.request.host_name in _OWN_NAMES
+        if not is_own or not self._server.is_secret(self.path_args[0]):
             raise HTTPError(404)
+
+
+class _Page(_Guarded):
+    def get(self, _token: str) -> None:
         self.set_header("Cache-Control", "no-store")
         self.set_header("Referrer-Policy", "no-referrer")
         self.finish(self._server.page)
 
 
-class _Viewer(WebSocketHandler):
+class _Viewer(_Guarded, WebSocketHandler):
     def initialize(self, server: LiveServer) -> None:
-        self._server = server
+        super().initialize(server)
         self._number = -1
         self._poses: Mapping[int, tuple[float, ...]] = {}
         self._marks: tuple[Marks, ...] = ()
@@ -172,10 +183,6 @@ class _Viewer(WebSocketHandler):
         # A view in a notebook is a frame of its own, whose origin is "null"; the secret decides.
         port = self._server.port
         return origin in ("null", f"http://127.0.0.1:{port}", f"http://localhost:{port}")
-
-    def prepare(self) -> None:
-        if not self._server.is_secret(self.path_args[0]):
-            raise HTTPError(404)
 
     def open(self, *_: str, **__: str) -> None:
         self.set_nodelay(True)

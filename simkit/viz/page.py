@@ -37,7 +37,7 @@ def html_page(
     for letter in "<>&":
         text = text.replace(letter, f"\\u{ord(letter):04x}")
     policy = _POLICY + (f"; connect-src {connects_to}" if connects_to else "")
-    script = "".join(_asset(f"{script}.js") for script in scripts or (name,))
+    script = "".join(_asset(f"{script}.js") for script in ("theme", *(scripts or (name,))))
     return (
         "<!DOCTYPE html>\n"
         '<html lang="en">\n<head>\n<meta charset="utf-8">\n'
@@ -59,6 +59,9 @@ def escaped(text: str) -> str:
 def inline_frame(page: str, *, title: str, height: int) -> str:
     """A page as part of another, e.g. of a notebook, with scripts that reach nothing around it.
 
+    A script beside it tells it whether it is light or dark around it. Where such scripts may not
+    run, the page is as the browser prefers.
+
     Args:
         page: The whole HTML.
         title: What it shows, for screen readers.
@@ -68,6 +71,7 @@ def inline_frame(page: str, *, title: str, height: int) -> str:
         f'<iframe srcdoc="{html.escape(page)}" title="{escaped(title)}" '
         f'sandbox="allow-scripts" width="100%" height="{height}" '
         'style="border:0;display:block"></iframe>'
+        f"<script>\n{_asset('around.js')}</script>"
     )
 
 

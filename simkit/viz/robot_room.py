@@ -7,10 +7,13 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Final
 
+import numpy as np
+
 from simkit.errors import SimkitError
 from simkit.tf.transform import Vector
-from simkit.urdf import Joint, JointType, Robot
+from simkit.urdf import Joint, JointType
 from simkit.urdf.kinematics import forward_kinematics
+from simkit.viz.robot_solids import RobotInTf
 from simkit.viz.scene import corners
 from simkit.viz.solid import Solid
 from simkit.viz.tf_scene import FramePose
@@ -23,31 +26,33 @@ _PRIMES: Final = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)
 _SIDES: Final = tuple(side for side in itertools.product((-1, 0, 1), repeat=3) if any(side))
 
 
-def robot_room(robot: Robot, solids: Sequence[Solid]) -> tuple[Vector, ...]:
+def robot_room(model: RobotInTf, solids: Sequence[Solid]) -> tuple[Vector, ...]:
     """Points on the outside of everywhere that a robot gets to, in the frame of its root [m].
 
     Args:
-        robot: The robot.
-        solids: Its shapes.
+        model: The robot.
+        solids: Its shapes, and perhaps those of others.
     """
-    farthest: dict[tuple[int, ...], tuple[float, Vector]] = {}
-    for point in _points(robot, solids[:: 1 + len(solids) // _MOST_SOLIDS]):
-        for side in _SIDES:
-            far = math.fsum(s * p for s, p in zip(side, point, strict=True))
-            if side not in farthest or far > farthest[side][0]:
-                farthest[side] = (far, point)
-    return tuple(dict.fromkeys(point for _, point in farthest.values()))
+    points = list(_points(model, solids[:: 1 + len(solids) // _MOST_SOLIDS]))
+    if not points:
+        return ()
+    x, y, z = np.array(points).T
+    # Sums in a fixed order, and the first of equals: the same points on every machine.
+    farthest = [int(np.argmax(a * x + b * y + c * z)) for a, b, c in _SIDES]
+    return tuple(dict.fromkeys(points[number] for number in farthest))
 
 
-def _points(robot: Robot, solids: Sequence[Solid]) -> Iterator[Vector]:
+def _points(model: RobotInTf, solids: Sequence[Solid]) -> Iterator[Vector]:
     """The corners of the boxes around all shapes, for many positions of the joints."""
+    robot = model.robot
     moving = [joint for joint in robot.joints.values() if joint.moves and joint.mimic is None]
     for trial in range(_TRIALS if moving else 1):
         positions = {joint.name: _position(joint, n, trial) for n, joint in enumerate(moving)}
         try:
-            links = forward_kinematics(robot, positions)
+            found = forward_kinematics(robot, positions)
         except SimkitError:
             return  # joints that mimic each other in a circle
+        links = {model.frame(link): pose for link, pose in found.items()}
         for solid in solids:
             if solid.link in links:
                 origin, rotation = links[solid.link]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from simkit.urdf import Box, Collision, Geometry, Link, Material, Mesh, Robot, Visual
@@ -28,28 +28,43 @@ _MOST = 2000
 "So many shapes are drawn."
 
 
+@dataclass(frozen=True, slots=True)
+class RobotInTf:
+    """A robot, and what its frames are called."""
+
+    robot: Robot
+    """The robot."""
+    tf_prefix: str = ""
+    """What stands before the names of its links; empty if nothing does."""
+
+    def frame(self, link: str) -> str:
+        """The frame of a link, e.g. `left/arm` of `arm`."""
+        return f"{self.tf_prefix}/{link}" if self.tf_prefix else link
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RobotShapes:
     """What there is to draw of a robot."""
 
-    model: Robot | None = None
-    """The robot; None if there is none."""
+    models: tuple[RobotInTf, ...] = ()
+    """The robots: usually one."""
     links: tuple[str, ...] = ()
-    """Its links, in the order of the file."""
+    """The frames of their links, in the order of the files."""
     solids: tuple[Solid, ...] = ()
-    """Their shapes."""
+    """The shapes of these."""
     notes: tuple[str, ...] = ()
     """A sentence for each shape that is not drawn as it is written."""
-    error: str = ""
+    errors: tuple[str, ...] = ()
     """Why there is no robot; empty if there is one."""
 
 
-def robot_shapes(robot: Robot, *, alpha: float = 1.0) -> RobotShapes:
+def robot_shapes(robot: Robot, *, alpha: float = 1.0, tf_prefix: str = "") -> RobotShapes:
     """The visual and the collision shapes of all links.
 
     Args:
         robot: The robot.
         alpha: Opacity of the whole robot, on top of that of its materials, from 0 to 1.
+        tf_prefix: What stands before the names of its links in tf, without the slash between them.
 
     Source:
         RViz' RobotModel display: the colours; a mesh that is missing is left out there, here a box stands for it.
@@ -58,11 +73,24 @@ def robot_shapes(robot: Robot, *, alpha: float = 1.0) -> RobotShapes:
     solids = [s for link in robot.links.values() for s in _solids_of(link, notes)]
     if len(solids) > _MOST:
         notes.append(f"Only the first {_MOST} of {len(solids)} shapes are drawn.")
+    model = RobotInTf(robot, tf_prefix)
+    drawn = [replace(s, link=model.frame(s.link), alpha=s.alpha * alpha) for s in solids[:_MOST]]
     return RobotShapes(
-        model=robot,
-        links=tuple(robot.links),
-        solids=tuple(replace(s, alpha=s.alpha * alpha) for s in solids[:_MOST]),
+        models=(model,),
+        links=tuple(map(model.frame, robot.links)),
+        solids=tuple(drawn),
         notes=tuple(dict.fromkeys(notes)),
+    )
+
+
+def together(robots: Sequence[RobotShapes]) -> RobotShapes:
+    """Several robots as one thing to draw; a sentence for several of them is told once."""
+    return RobotShapes(
+        models=tuple(model for one in robots for model in one.models),
+        links=tuple(link for one in robots for link in one.links),
+        solids=tuple(solid for one in robots for solid in one.solids),
+        notes=tuple(dict.fromkeys(note for one in robots for note in one.notes)),
+        errors=tuple(dict.fromkeys(error for one in robots for error in one.errors)),
     )
 
 

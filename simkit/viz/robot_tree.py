@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from simkit.errors import UnknownNameError
+from simkit.saving import save_as
 from simkit.urdf.model import Robot
 from simkit.viz.drawing import Drawing
 from simkit.viz.robot_dot import robot_dot_text
 from simkit.viz.robot_sheet import draw_robot_tree
 from simkit.viz.svg import svg_text
-
-FORMATS = (".gv", ".pdf", ".png", ".svg")
-"""What `RobotTree.save` writes, by suffix."""
 
 
 class RobotTree:
@@ -58,18 +55,10 @@ class RobotTree:
         Raises:
             UnknownNameError: The suffix is another one.
         """
-        path = Path(path)
-        match path.suffix.lower():
-            case ".svg":
-                _write_text(path, self.to_svg())
-            case ".gv":
-                _write_text(path, self.to_dot())
-            case ".png":
-                path.write_bytes(self.to_png())
-            case ".pdf":
-                path.write_bytes(self.to_pdf())
-            case suffix:
-                raise UnknownNameError("picture format", suffix, FORMATS)
+        save_as(
+            path,
+            {".gv": self.to_dot, ".pdf": self.to_pdf, ".png": self.to_png, ".svg": self.to_svg},
+        )
 
     def __repr__(self) -> str:
         robot = self._robot
@@ -80,7 +69,3 @@ class RobotTree:
 
     def _drawing(self) -> Drawing:
         return draw_robot_tree(self._robot)
-
-
-def _write_text(path: Path, text: str) -> None:
-    path.write_text(text, encoding="utf-8", errors="backslashreplace", newline="\n")

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from simkit.errors import SimkitError
-from simkit.viz.robot_description import DESCRIPTION
+from simkit.viz.robot_description import DESCRIPTION, RobotDisplay
 from simkit.viz.rviz_settings import RvizSettings
 from simkit.viz.topics.config import topic_displays
 
@@ -52,20 +52,26 @@ def read_config(path: str | Path) -> RvizSettings:
 def _settings(manager: Mapping[Any, Any]) -> RvizSettings:
     listed = list(_displays(manager))
     displays = {str(display.get("Class")): display for display in listed}
-    robot = displays.get("rviz/RobotModel", {})
+    robots = [display for display in listed if display.get("Class") == "rviz/RobotModel"]
+    robot = robots[0] if robots else {}
     role = "visual" if robot.get("Visual Enabled", True) is not False else None
     if role is None and robot.get("Collision Enabled") is True:
         role = "collision"
-    description = str(robot.get("Robot Description") or DESCRIPTION)
     return RvizSettings(
         fixed_frame=str(_part(manager, "Global Options").get("Fixed Frame") or "").lstrip("/"),
         robot_model=role if robot else None,
         alpha=_opacity(robot.get("Alpha")),
         show_tf="rviz/TF" in displays,
         show_grid="rviz/Grid" in displays,
-        description=f"/{description.lstrip('/')}",
+        robots=tuple(map(_robot, robots)) or (RobotDisplay(),),
         topics=topic_displays(listed),
     )
+
+
+def _robot(display: Mapping[Any, Any]) -> RobotDisplay:
+    parameter = str(display.get("Robot Description") or DESCRIPTION)
+    prefix = str(display.get("TF Prefix") or "")
+    return RobotDisplay(f"/{parameter.lstrip('/')}", prefix.strip("/"))
 
 
 def _displays(group: Mapping[Any, Any], depth: int = 0) -> Iterator[Mapping[Any, Any]]:

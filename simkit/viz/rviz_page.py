@@ -113,10 +113,6 @@ def _boxes(scene: Scene) -> list[str]:
     ]
 
 
-def _clear_box(is_clear: bool | None) -> list[str]:
-    return [] if is_clear is None else [_box("clear", "Transparent", on=is_clear)]
-
-
 def _box(name: str, words: str, *, on: bool, hidden: bool = False) -> str:
     return (
         f"<label{' hidden' * hidden}>"

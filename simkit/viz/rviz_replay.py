@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Final
 
-from simkit.errors import UnknownNameError
+from simkit.saving import save_as
 from simkit.viz.page import inline_frame
 from simkit.viz.robot_solids import RobotShapes
 from simkit.viz.rviz_page import TITLE, page_height, view_page
@@ -59,10 +59,7 @@ class RvizReplay:
         Raises:
             UnknownNameError: The suffix is another one.
         """
-        path = Path(path)
-        if path.suffix.lower() != ".html":
-            raise UnknownNameError("replay format", path.suffix, [".html"])
-        path.write_text(self.to_html(), encoding="utf-8", newline="\n")
+        save_as(path, {".html": self.to_html}, kind="replay format")
 
     def __repr__(self) -> str:
         return f"RvizReplay({self.tape.duration:.2f} s, {len(self.tape.tracks)} frames)"

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.msgs import Time
 from simkit.tf import LATEST
-from simkit.viz.robot_description import DESCRIPTION
+from simkit.viz.robot_description import RobotDisplay
 from simkit.viz.scene import Displays
 from simkit.viz.solid import Role
 from simkit.viz.topics.displays import TopicDisplay
@@ -36,8 +36,8 @@ class RvizSettings:
     """Whether axes, names and parents of the frames are seen at first."""
     show_grid: bool = True
     """Whether the grid is seen at first."""
-    description: str = DESCRIPTION
-    """Parameter with the URDF of the robot."""
+    robots: tuple[RobotDisplay, ...] = (RobotDisplay(),)
+    """The robots."""
     topics: tuple[TopicDisplay, ...] = ()
     """The displays of topics."""
     complaint: str = ""

@@ -76,6 +76,8 @@ def _names(scene: Scene) -> Iterator[Shape]:
     anchors = [anchor for _, anchor in named]
     places = label_places(anchors, widths=widths, height=_NAME_HEIGHT, size=SIZE)
     for (pose, anchor), label, place, width in zip(named, labels, places, widths, strict=True):
+        if place is None:
+            continue
         if abs(place[1] - anchor[1]) > 1.2 * _NAME_HEIGHT:
             end = (place[0] - 2 if place[0] > anchor[0] else place[0] + width + 2, place[1])
             yield Line(points=(anchor, end), color=_GREY, width=0.8)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from simkit.errors import UnknownNameError
+from simkit.saving import save_as
 from simkit.viz.page import inline_frame
 from simkit.viz.rviz_page import page_height, rviz_page
 from simkit.viz.scene import Scene
 from simkit.viz.scene_data import summary
 
-FORMATS = (".html", ".png")
-"""What `RvizView.save` writes, by suffix."""
+SMALL_SIZE = (360.0, 225.0)
+"""Width and height of a thumbnail [px]."""
 
 
 class RvizView:
@@ -54,20 +54,20 @@ class RvizView:
 
         return still_png(self.scene, scale=scale)
 
+    def thumbnail(self) -> bytes:
+        """A small still picture as a PNG file, without any words, on a ground that is seen through."""
+        from simkit.viz.png_file import png_of_pixels
+        from simkit.viz.scene_raster import scene_pixels
+
+        return png_of_pixels(scene_pixels(self.scene, size=SMALL_SIZE))
+
     def save(self, path: str | Path) -> None:
         """Write a file: the view as `.html`, a still picture as `.png`.
 
         Raises:
             UnknownNameError: The suffix is another one.
         """
-        path = Path(path)
-        match path.suffix.lower():
-            case ".html":
-                path.write_text(self.to_html(), encoding="utf-8", newline="\n")
-            case ".png":
-                path.write_bytes(self.to_png())
-            case suffix:
-                raise UnknownNameError("picture format", suffix, FORMATS)
+        save_as(path, {".html": self.to_html, ".png": self.to_png})
 
     def __repr__(self) -> str:
         return f"RvizView({summary(self.scene)!r})"

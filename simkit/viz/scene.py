@@ -119,7 +119,7 @@ def make_scene(
     robot: RobotShapes | None = None,
     time: Time = LATEST,
     displays: Displays | None = None,
-    room: Sequence[Vector] = (),
+    room: Mapping[str, Sequence[Vector]] | None = None,
     complaint: str = "",
     marks: Sequence[Marks] = (),
     troubles: Sequence[str] = (),
@@ -132,7 +132,7 @@ def make_scene(
         robot: The robot; None if there is none.
         time: When; for each frame its own latest time if `Time(0)`.
         displays: What is shown at first; everything that is seen if None.
-        room: Points that the robot may get to, in the frame of its root [m]; the camera sees them too.
+        room: Points that robots may get to [m], by the frame that they are in; the camera sees them too.
         complaint: A problem to be told first; empty if there is none.
         marks: What the displays of topics draw.
         troubles: A sentence for each of these that cannot.
@@ -144,7 +144,7 @@ def make_scene(
     solids = tuple(_placed(solid, poses, fixed_frame) for solid in shapes)
     told = [complaint] if complaint else []
     problems = dict.fromkeys([*told, *frames.problems, *_problems(robot, poses, frames)])
-    notes = [*robot.notes, *([_WHITE_LINKS] if any(s.is_lost for s in solids) else [])]
+    notes = [*robot.notes, *_notes(solids, displays)]
     return Scene(
         tf=frames,
         solids=solids,
@@ -154,10 +154,18 @@ def make_scene(
         marks=tuple(marks),
         stage=stage_for(
             frames,
-            [*_outline(solids), *_room(room, robot, poses), *_marked(marks)],
+            [*_outline(solids), *_room(room or {}, poses), *_marked(marks)],
             axis_share=AXIS_SHARE_OF_ROBOT if solids else AXIS_SHARE,
         ),
     )
+
+
+def _notes(solids: Sequence[PlacedSolid], displays: Displays) -> Iterator[str]:
+    if any(placed.is_lost for placed in solids):
+        yield _WHITE_LINKS
+    if solids and not any(displays.shows(placed.solid.role) for placed in solids):
+        others = " and ".join(sorted({placed.solid.role.value for placed in solids}))
+        yield f"The robot has no {displays.robot.value if displays.robot else ''} shapes, only {others} ones."
 
 
 def _placed(solid: Solid, poses: Mapping[str, FramePose], fixed_frame: str) -> PlacedSolid:
@@ -168,8 +176,7 @@ def _placed(solid: Solid, poses: Mapping[str, FramePose], fixed_frame: str) -> P
 
 
 def _problems(robot: RobotShapes, poses: Mapping[str, FramePose], tf: TfScene) -> Iterator[str]:
-    if robot.error:
-        yield robot.error
+    yield from robot.errors
     known = {problem.partition(":")[0] for problem in tf.problems}
     for link in robot.links:
         if link in poses or link == tf.fixed_frame:
@@ -177,7 +184,18 @@ def _problems(robot: RobotShapes, poses: Mapping[str, FramePose], tf: TfScene) -
         sentence = f"No transform from [{link}] to [{tf.fixed_frame}]"
         if sentence in known:
             continue
-        yield sentence + ("" if tf.error else ": no node broadcasts this link.")
+        yield sentence + (
+            "" if tf.error else f": no node broadcasts this link{_prefixed(link, poses)}."
+        )
+
+
+def _prefixed(link: str, poses: Iterable[str]) -> str:
+    """What to add if there is a frame that is this link of a robot with a prefix."""
+    frames = [name for name in poses if name.endswith(f"/{link}")]
+    if not frames:
+        return ""
+    prefix = frames[0].removesuffix(f"/{link}")
+    return f", but there is [{frames[0]}]: the TF Prefix '{prefix}' may be missing"
 
 
 def _outline(solids: Iterable[PlacedSolid]) -> Iterator[Vector]:
@@ -185,12 +203,10 @@ def _outline(solids: Iterable[PlacedSolid]) -> Iterator[Vector]:
         yield from corners(placed.solid, placed.frame)
 
 
-def _room(
-    room: Iterable[Vector], robot: RobotShapes, poses: Mapping[str, FramePose]
-) -> Iterator[Vector]:
-    frame = poses.get(robot.model.root) if robot.model is not None else None
-    for point in room:
-        yield placed_in(frame, point, IDENTITY)[0]
+def _room(room: Mapping[str, Sequence[Vector]], poses: Mapping[str, FramePose]) -> Iterator[Vector]:
+    for frame, points in room.items():
+        for point in points:
+            yield placed_in(poses.get(frame), point, IDENTITY)[0]
 
 
 def _marked(marks: Iterable[Marks]) -> Iterator[Vector]:

@@ -9,9 +9,9 @@ from simkit.packages import PackagePath
 from simkit.tf import Buffer
 from simkit.tf.transform import Vector
 from simkit.viz.marks import Marks
-from simkit.viz.robot_description import described_robot
+from simkit.viz.robot_description import RobotDisplay, described_robot
 from simkit.viz.robot_room import robot_room
-from simkit.viz.robot_solids import RobotShapes
+from simkit.viz.robot_solids import RobotShapes, together
 from simkit.viz.rviz_settings import RvizSettings
 from simkit.viz.scene import Scene, make_scene
 from simkit.viz.tf_scene import TfScene, tf_scene
@@ -22,12 +22,12 @@ FIRST_FRAME: Final = "map"
 
 
 class SceneSource:
-    """Looks at a simulation; the robot is read again only when its description has changed.
+    """Looks at a simulation; the robots are read again only when a description has changed.
 
     Args:
         settings: What is to be seen.
         buffer: The transforms.
-        parameters: The parameter server, with the description of the robot.
+        parameters: The parameter server, with the descriptions of the robots.
         packages: Where `package://` leads.
         with_room: Whether the camera leaves room for links that turn.
         ears: What was said on the topics that are shown; without it, none are.
@@ -48,7 +48,7 @@ class SceneSource:
         self._with_room, self._ears = with_room, ears
         self._described: object = ()
         self._robot: RobotShapes | None = None
-        self._room: tuple[Vector, ...] = ()
+        self._room: dict[str, tuple[Vector, ...]] = {}
 
     @property
     def fixed_frame(self) -> str:
@@ -98,21 +98,33 @@ class SceneSource:
         """The robot that is described now; None if there is none."""
         if self.settings.robot_model is None:
             return None
-        name = self.settings.description
-        described = self._parameters.get(f"/{name.lstrip('/')}", None)
+        names = [one.description for one in self.settings.robots]
+        described = [self._parameters.get(f"/{name.lstrip('/')}", None) for name in names]
         if described != self._described:
             self._described = described
-            self._robot = described_robot(
-                described, self._packages, name=name, alpha=self.settings.alpha
-            )
-            self._room = _room(self._robot) if self._with_room else ()
+            read = map(self._read, self.settings.robots, described)
+            found = [robot for robot in read if robot is not None]
+            self._robot = together(found) if found else None
+            self._room = _room(self._robot) if self._with_room else {}
         return self._robot
 
+    def _read(self, display: RobotDisplay, described: object) -> RobotShapes | None:
+        return described_robot(
+            described,
+            self._packages,
+            name=display.description,
+            alpha=self.settings.alpha,
+            tf_prefix=display.tf_prefix,
+        )
 
-def _room(robot: RobotShapes | None) -> tuple[Vector, ...]:
-    if robot is None or robot.model is None:
-        return ()
-    return robot_room(robot.model, robot.solids)
+
+def _room(robot: RobotShapes | None) -> dict[str, tuple[Vector, ...]]:
+    """The room of each robot, in the frame of its root."""
+    if robot is None:
+        return {}
+    return {
+        model.frame(model.robot.root): robot_room(model, robot.solids) for model in robot.models
+    }
 
 
 def first_frame(buffer: Buffer) -> str:

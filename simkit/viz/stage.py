@@ -14,6 +14,8 @@ _AZIMUTH, _ELEVATION = math.radians(-112.0), math.radians(32.0)
 "From behind and the right: x leads to the right, y away, z up, as on paper."
 AXIS_SHARE, AXIS_SHARE_OF_ROBOT = 0.09, 0.14
 "Axes are signposts where frames are all there is; beside a robot they must not drown in it."
+_CROWD = 12
+"The axes of more frames than this are shorter, or nobody would see anything else."
 _LEAST_EXTENT = 1e-3
 "Frames that are no further apart than this [m] are in one place."
 
@@ -48,7 +50,8 @@ def stage_for(
     if math.dist(low, high) < _LEAST_EXTENT:
         low, high = (low[0] - 1.0, low[1] - 1.0, low[2]), (high[0] + 1.0, high[1] + 1.0, high[2])
     extent = math.dist(low, high)
-    axis_length, cell = axis_share * extent, _nice(extent / 8)
+    crowd = min(1.0, math.sqrt(_CROWD / max(len(scene.poses), 1)))
+    axis_length, cell = crowd * axis_share * extent, _nice(extent / 8)
     grid_x, grid_y = (_cells(low[i], high[i], cell) for i in (0, 1))
     points = [tip for pose in scene.poses for tip in _tips(pose, axis_length)]
     corners = [(cell * x, cell * y, 0.0) for x in grid_x for y in grid_y]

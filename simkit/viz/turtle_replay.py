@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from simkit.errors import UnknownNameError
 from simkit.nodes.turtlesim import Frame
+from simkit.saving import save_as
 from simkit.viz.page import inline_frame
 from simkit.viz.replay_page import TITLE, page_height, replay_page
 from simkit.viz.turtle_tape import TurtleTape, turtle_tape
@@ -37,10 +37,7 @@ class TurtleReplay:
         Raises:
             UnknownNameError: The suffix is another one.
         """
-        path = Path(path)
-        if path.suffix.lower() != ".html":
-            raise UnknownNameError("replay format", path.suffix, [".html"])
-        path.write_text(self.to_html(), encoding="utf-8", newline="\n")
+        save_as(path, {".html": self.to_html}, kind="replay format")
 
     def __repr__(self) -> str:
         return f"TurtleReplay({self.tape.duration:.2f} s, {len(self.tape.motions)} turtles)"

@@ -5,8 +5,6 @@ Source: tf `view_frames` and tf2_tools `view_frames.py`: their words, `frames.gv
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from simkit.graph import Node
 from simkit.msgs import Duration
 from simkit.tf import Buffer, TransformListener
@@ -32,7 +30,7 @@ class _ViewFrames(Program):
         picture = FramesPicture(self._buffer, now=self._node.now())
         try:
             for name in ("frames.gv", "frames.pdf"):
-                picture.save(Path(name))
+                picture.save(self._folder / name)
         except OSError as error:
             self._print(f"cannot write {error.filename}: {error.strerror}\n")
             self._exit(1)

@@ -237,6 +237,6 @@ class AttributeList:
             FaultKind.DUPLICATE_ATTRIBUTE,
             name_span,
             what=f'{short(name)} stands twice in this tag: "{short(first.value)}" and "{short(value)}"',
-            remedy=f"Delete one of the two {short(name)}, or rename the one that was meant to be another.",
+            remedy=f"Delete one of the two {short(name)}=..., or rename the one that was meant to be another.",
             other=first.name_span,
         )

@@ -9,7 +9,7 @@ from __future__ import annotations
 import codecs
 import re
 
-from simkit.record import Record
+from simkit.record import Record, replace
 
 _DECLARED = re.compile(rb"\s*<\?xml\s(?:[^>]*?\s)?encoding\s*=\s*[\"']([A-Za-z][\w.-]*)[\"']")
 _DECLARED_IN_TEXT = r"<\?xml\s(?:[^>]*?\s)?encoding\s*=\s*[\"']([A-Za-z][\w.-]*)[\"']"
@@ -23,6 +23,8 @@ class Decoded(Record):
 
     text: str
     """The text; what is no text in the encoding is U+FFFD in it."""
+    has_wide_letters: bool = False
+    """Whether each letter takes two bytes or four (UTF-16), as some editors and PowerShell write it."""
     what: str = ""
     """What is wrong with the encoding; empty if nothing is."""
     remedy: str = ""
@@ -44,7 +46,7 @@ def decode(data: bytes) -> Decoded:
 
 
 def _sixteen_bit(data: bytes, encoding: str) -> Decoded:
-    decoded = _decode(data, encoding, encoding.upper())
+    decoded = replace(_decode(data, encoding, encoding.upper()), has_wide_letters=True)
     declared = re.match(_DECLARED_IN_TEXT, decoded.text[:_LOOKED_AT])
     if declared is None or declared[1].lower() in (
         "utf-16",
@@ -56,6 +58,7 @@ def _sixteen_bit(data: bytes, encoding: str) -> Decoded:
         return decoded
     return Decoded(
         text=decoded.text,
+        has_wide_letters=True,
         what=f"the file says that it is {declared[1]}, but it is {encoding.upper()}",
         remedy='Save it as UTF-8, or write encoding="UTF-16".',
         at=declared.start(1),

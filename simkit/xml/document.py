@@ -35,6 +35,8 @@ class FaultKind(enum.Enum):
     """An end tag, and no element of that name is open."""
     UNCLOSED = "unclosed element"
     """An element without an end tag."""
+    DOUBLED_TAG = "doubled tag"
+    """A start tag that stands there twice, with one end tag for both."""
     DUPLICATE_ATTRIBUTE = "duplicate attribute"
     """The same attribute twice in one tag; the first one is kept."""
     MALFORMED_TAG = "malformed tag"
@@ -43,6 +45,8 @@ class FaultKind(enum.Enum):
     """A letter that cannot stand there: `<` or `&` in a value, a control character, `--` in a comment."""
     ENTITY = "entity"
     """An entity that is not one of the five of XML, or a document type with definitions of its own."""
+    CONFLICT = "conflict marker"
+    """A line that git leaves where two versions of a text do not fit together."""
     STRAY_TEXT = "stray text"
     """Text outside of the root element."""
     SECOND_ROOT = "second root"
@@ -183,6 +187,8 @@ class Document(Record):
     """The first element outside of all others; None if there is none."""
     faults: tuple[Fault, ...]
     """What is wrong with it as XML, in the order of the text."""
+    has_wide_letters: bool = False
+    """Whether it was read from UTF-16, which is XML, but which TinyXML (and so ROS) does not read."""
 
     @property
     def is_well_formed(self) -> bool:

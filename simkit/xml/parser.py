@@ -36,7 +36,14 @@ def parse_xml(text: str | bytes, *, file: str) -> Document:
         source.fault(FaultKind.ENCODING, at, at + 1, what=decoded.what, remedy=decoded.remedy)
     root = build_tree(source, tokens_of(source))
     faults = tuple(sorted(source.faults, key=lambda fault: fault.span))
-    return Document(file=file, text=source.text, lines=source.lines, root=root, faults=faults)
+    return Document(
+        file=file,
+        text=source.text,
+        lines=source.lines,
+        root=root,
+        faults=faults,
+        has_wide_letters=decoded.has_wide_letters,
+    )
 
 
 def _with_newlines(text: str) -> str:

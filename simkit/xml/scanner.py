@@ -19,6 +19,7 @@ _SPACED_TAG = Pattern(rf"<{SPACE}++({NAME})(?!{SPACE}*+=)(?=[^<>]*+>)")
 _NAMELESS_TAG = Pattern(rf"<{SPACE}*+(?:{NAME}{SPACE}*+=[^<>]*+)?>")
 _XML_TAG = Pattern(rf"<xml{SPACE}++version[^<>]*+(?<!/)>")
 _DECLARATION = Pattern(rf"<\?xml(?:{SPACE}|\?>)")
+_CONFLICT = Pattern(r"(?<![^\n])<{7}(?: [^<\n]*)?(?=\n)")
 _FOREIGN = Pattern(FOREIGN_LETTERS)
 _SPACES = Pattern(f"{SPACE}*+")
 _MAX_FOREIGN = 20
@@ -154,6 +155,12 @@ class _Scanner:
     def _bare_bracket(self, at: int) -> Iterator[Token]:
         """A `<` that begins nothing that XML knows."""
         source, text = self._source, self._source.text
+        if (marker := _CONFLICT.match(text, at)) is not None:
+            self._at = marker.end()
+            what = "git has left a conflict here: two versions of this place, between <<<<<<< and >>>>>>>"
+            remedy = "Keep one of the two, and delete the lines with <<<<<<<, ======= and >>>>>>>."
+            source.fault(FaultKind.CONFLICT, at, self._at, what=what, remedy=remedy)
+            return
         spaced = _SPACED_TAG.match(text, at)
         if spaced is not None:
             self._fault(

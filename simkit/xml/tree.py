@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from simkit.xml.document import Element, FaultKind
@@ -15,6 +16,7 @@ from simkit.xml.unclosed import is_bare_twin, settle_end_of_file, settle_unclose
 
 MAX_DEPTH = 256
 """Elements inside of each other that are kept."""
+_TAG = re.compile(r"<[A-Za-z_!?/\\]|<\s+\w[^<>]*>")
 
 
 def build_tree(source: Source, tokens: Sequence[Token]) -> Element | None:
@@ -45,7 +47,7 @@ class _Builder:
         if len(self._open):
             settle_end_of_file(self._source, self._outlook, self._open)
         if self.root is None:
-            self._once(FaultKind.EMPTY, 0, 1, "there is no element in this file", "Write one.")
+            self._note_empty()
 
     def _start(self, tag: StartTag) -> None:
         parent = self._open.top
@@ -96,6 +98,25 @@ class _Builder:
             if top.element.text_span is None and text.value.strip(WHITE):
                 end = text.at + len(raw.rstrip(WHITE))
                 top.element.text_span = self._source.span(first, end)
+
+    def _note_empty(self) -> None:
+        """Say that there is no element: of a text without tags only that, and nothing where faulty tags say why."""
+        source = self._source
+        has_tags = _TAG.search(source.text) is not None
+        if has_tags and any(one.kind is not FaultKind.STRAY_TEXT for one in source.faults):
+            return
+        first = len(source.text) - len(source.text.lstrip(WHITE))
+        what, remedy = "there is no element in this file", "Write one"
+        if first == len(source.text):
+            what, remedy, first = "the file is empty", "Save it in your editor, or write it", 0
+        elif not has_tags:
+            what, remedy = (
+                "this is no XML: there is no tag in it",
+                "Look whether it is the right file",
+            )
+        source.faults.clear()
+        end = max(first + 1, source.text.find("\n", first))
+        source.fault(FaultKind.EMPTY, first, end, what=what, remedy=remedy)
 
     def _end(self, number: int, tag: EndTag) -> None:
         verdict = self._judge.judge(number, tag)

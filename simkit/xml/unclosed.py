@@ -42,6 +42,9 @@ def settle_unclosed(
     if is_twin:
         _move_out(one, 0)
         return
+    if _is_doubled(one):
+        _settle_doubled(source, one)
+        return
     twin = _twin(one)
     first = _first_outside(source, outlook, one) if twin is None else twin + 1
     if not one.tag.is_broken:
@@ -49,6 +52,39 @@ def settle_unclosed(
     _move_out(one, first)
     if twin is not None and one.element is not None:
         del one.element.children[twin]
+
+
+def _is_doubled(one: OpenElement) -> bool:
+    """Whether the tag of an element stands once more right behind it, as after a copy of one line."""
+    element = one.element
+    if element is None or element.parent is None or not element.children:
+        return False
+    first = element.children[0]
+    is_behind_text = element.text_span is not None and element.text_span < first.span
+    return not is_behind_text and _written(first) == _written(element)
+
+
+def _written(element: Element) -> tuple[str, list[tuple[str, str]]]:
+    return element.name, [(one.name, one.value) for one in element.attributes]
+
+
+def _settle_doubled(source: Source, one: OpenElement) -> None:
+    """Note that a start tag stands twice, and put what the second one holds in the place of the first."""
+    element = one.element
+    assert element is not None, "it is doubled"
+    assert element.parent is not None, "it is doubled"
+    inner, siblings = element.children[0], element.parent.children
+    source.fault_at(
+        FaultKind.DOUBLED_TAG,
+        inner.span,
+        what=f"{short(source.text[one.tag.at - 1 : one.tag.end])} stands here a second time, and only one of the two is closed",
+        remedy="Delete this second tag.",
+        other=element.span,
+    )
+    _move_out(one, 1)
+    place = next(at for at in range(len(siblings) - 1, -1, -1) if siblings[at] is element)
+    siblings[place] = inner
+    inner.parent = element.parent
 
 
 def settle_end_of_file(source: Source, outlook: Outlook, open_elements: OpenElements) -> None:

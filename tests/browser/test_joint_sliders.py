@@ -106,6 +106,20 @@ def test_sliders_move_the_robot(sliders):
     assert asked(sliders, 2) == [0.0, 0.0]
 
 
+def test_a_still_for_the_saved_notebook_waits_behind_the_sliders(sliders):
+    page = sliders.page
+    page.drag(".noUi-handle", 0, 50)
+    (hip, _) = asked(sliders, 2)
+    page.wait(f"document.querySelector('.simkit-still').textContent.includes('{hip:.3f} rad')")
+    seen = "[...document.querySelectorAll('.simkit-still, #panel')].map((one) => one.checkVisibility())"
+    page.run("document.querySelector('.lm-Panel:has(> .widget-box)').id = 'panel'")
+    assert page.run(seen) == [True, False]
+    # What JupyterLab makes of widgets that no kernel knows.
+    page.run("document.getElementById('panel').replaceChildren('Error displaying widget')")
+    assert page.run(seen) == [False, True]
+    page.screenshot("sliders_without_a_kernel")
+
+
 def test_a_slider_can_be_moved_while_a_cell_runs(sliders):
     page = sliders.page
     sliders.start_cell(3)

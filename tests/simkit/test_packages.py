@@ -157,3 +157,15 @@ def test_confined_only_the_files_of_packages_may_be_read(make, monkeypatch):
         assert not confined.may_read(robot / outside), outside
     assert not confined.may_read(make.folder / "elsewhere/package.xml")
     assert list(confined.packages()) == ["robot"]
+
+
+def test_folders_may_be_preferred_later(tmp_path):
+    for folder in ("one", "two"):
+        (tmp_path / folder / "play").mkdir(parents=True)
+        (tmp_path / folder / "play/package.xml").write_text("<package/>")
+    path = PackagePath([tmp_path / "one"])
+    path.prefer([tmp_path / "two", tmp_path / "none"])
+    assert path.find("play").folder == tmp_path / "two/play"
+    path.prefer([tmp_path / "one"])
+    assert path.find("play").folder == tmp_path / "one/play"
+    assert len(path.folders) == len(set(path.folders))

@@ -183,7 +183,9 @@ def test_topics_that_rviz_cannot_show_are_refused(sim, drive):
     with pytest.raises(SimkitError, match="no display shows topic /tf, a tf2_msgs/TFMessage"):
         sim.rviz(topics=["/tf"])
     later = sim.rviz(topics={"/scan": "sensor_msgs/LaserScan"})
-    assert later.problems == ("LaserScan /scan: No messages received.",)
+    assert later.problems == (
+        "LaserScan /scan: No messages received. Nobody publishes this topic.",
+    )
 
 
 def test_a_live_view_hears_of_topics(sim, drive, laser):

@@ -1,4 +1,4 @@
-"""The book's scripts of 3.1 to 3.4, unmodified, with its command lines, in one notebook in a real kernel."""
+"""The book's scripts of 3.1 to 3.4 and its arm of 3.8, unmodified, with its command lines, in a real kernel."""
 
 from __future__ import annotations
 
@@ -74,3 +74,40 @@ def test_the_book_runs_as_it_is_printed(root: Path, course: Path, run: Run) -> N
     delayed = float(shown(ran[16]).split()[1])
     assert delayed > 2.0, "the traveller is farther behind than the follower was"
     assert "/traveller" in shown(ran[16])
+
+
+def robot_file(root: Path, exercise: str, name: str) -> str:
+    """A URDF or launch file of the book, as a cell that writes it."""
+    folder = "urdf" if name.endswith(".urdf") else "launch"
+    return f"%%writefile hello_ros/{folder}/{name}\n" + book_script(root, exercise, name)
+
+
+def test_the_books_arm_stands_as_it_is_printed(root: Path, course: Path, run: Run) -> None:
+    notebook = start(course, "3.8").notebook
+    cells = [
+        "%load_ext simkit\nfrom simkit import Simulation\nsim = Simulation()",
+        robot_file(root, "3_08", "hello_ros_robot_3.urdf"),
+        robot_file(root, "3_08", "urdf_launch_3.launch"),
+        "%check_urdf hello_ros/urdf/hello_ros_robot_3.urdf",
+        "%roslaunch hello_ros urdf_launch_3.launch",
+        "%rosparam list",
+        "%rosnode list",
+        "sim.run(1)",
+        "%rosrun tf tf_echo /world /upper_arm",
+        "%rosrun tf view_frames",
+        "sim.run(6)\nprint(sim.view_frames().to_yaml())",
+        "view = sim.rviz()\nprint(len(view.problems), bool(view.error))",
+    ]
+    book = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(text) for text in cells])
+    nbformat.write(book, notebook)
+    ran = run(notebook)
+    assert "root Link: world has 1 child(ren)" in shown(ran[3])
+    assert "warning" not in shown(ran[3])
+    assert "joint_state_publisher (joint_state_publisher/joint_state_publisher)" in shown(ran[4])
+    assert shown(ran[5]).split() == ["/robot_description", "/use_gui"]
+    assert {"/joint_state_publisher", "/robot_state_publisher"} <= set(shown(ran[6]).split())
+    assert "- Translation: [0.000, -0.100, 0.500]" in shown(ran[8])
+    frames = shown(ran[10])
+    for child, parent in (("base_link", "world"), ("torso", "base_link"), ("upper_arm", "torso")):
+        assert f"{child}: \n  parent: '{parent}'" in frames
+    assert shown(ran[11]).split() == ["0", "False"]

@@ -6,7 +6,6 @@ Source: controller_manager `scripts/spawner`: options, order, texts.
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 from typing import Any, NoReturn
 
 from simkit.graph import Node, ServiceFailed
@@ -135,7 +134,7 @@ class Spawner(Program):
         """The controllers; a YAML file is loaded, and names all that are in it."""
         names: list[str] = []
         for word in self._options.controllers:
-            path = Path(word)
+            path = self._folder / word
             if not path.is_file():
                 names.append(word)
                 continue

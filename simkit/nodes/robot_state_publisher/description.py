@@ -7,7 +7,8 @@ from collections.abc import Callable
 from simkit.errors import SimkitError
 from simkit.graph import Node
 from simkit.graph.names import namespace_of, resolve
-from simkit.urdf import Robot, load_robot, read_robot
+from simkit.urdf import Robot, read_robot
+from simkit.urdf.loading import robot_of
 
 PARAMETER = "robot_description"
 """Parameter with the text of the URDF file."""
@@ -37,8 +38,7 @@ def find_robot(node: Node, tell: Callable[[str], None]) -> Robot:
     reading = read_robot(text, file=PARAMETER)
     for message in reading.messages:
         tell(message)
-    # Of a robot that is refused, this tells the place and the remedy.
-    return reading.robot or load_robot(text, file=PARAMETER)
+    return robot_of(reading)
 
 
 def _parameter_name(node: Node) -> str | None:

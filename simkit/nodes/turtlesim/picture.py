@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
-from simkit.errors import UnknownNameError
 from simkit.nodes.turtlesim.frame import Frame
 from simkit.nodes.turtlesim.paper import Stroke
 from simkit.nodes.turtlesim.shapes import Group, Polyline, Scene, Shape, Text
@@ -14,6 +13,7 @@ from simkit.nodes.turtlesim.svg import svg_text
 from simkit.nodes.turtlesim.turtle import Turtle
 from simkit.nodes.turtlesim.turtle_shape import turtle_shapes
 from simkit.nodes.turtlesim.window import SIDE_PX, hex_color, pixel
+from simkit.saving import save_as
 
 INVISIBLE_PX = 0.05  # a trail may be moved by so much to save points
 LABEL_PX = 13.0
@@ -48,14 +48,7 @@ class Picture:
         Raises:
             UnknownNameError: The suffix is another one.
         """
-        path = Path(path)
-        match path.suffix.lower():
-            case ".svg":
-                path.write_text(self.to_svg(), encoding="utf-8", newline="\n")
-            case ".png":
-                path.write_bytes(self.to_png(scale=2))
-            case suffix:
-                raise UnknownNameError("picture format", suffix, [".png", ".svg"])
+        save_as(path, {".png": lambda: self.to_png(scale=2), ".svg": self.to_svg})
 
     def _repr_svg_(self) -> str:
         return self.to_svg()

@@ -40,7 +40,7 @@ class Page:
         remedy: str,
         *,
         severity: Severity = Severity.WARNING,
-        rule: str = "SDF-W01",
+        rule: str = "SDF-W04",
     ) -> Diagnostic:
         """Note what is wrong with an element.
 
@@ -119,7 +119,7 @@ class Page:
             child,
             f"<{name}> is {child.text.strip()!r}, not {kind}",
             f"Write {kind}.",
-            rule="SDF-W02",
+            rule="SDF-W05",
         )
         return None
 

@@ -222,7 +222,7 @@ def _step(page: Page, world: Element) -> int:
     step = page.number(physics, "max_step_size", STEP_NS * 1e-9)
     if not 1e-5 <= step <= 0.01:
         child = physics.child("max_step_size") or physics
-        page.say(child, f"steps of {step:g} s make no simulation", "Write 0.001.", rule="SDF-W02")
+        page.say(child, f"steps of {step:g} s make no simulation", "Write 0.001.", rule="SDF-W05")
         return STEP_NS
     return round(step * 1e9)
 

@@ -50,20 +50,29 @@ def weak_wheels(sheet: Sheet) -> Iterator[Diagnostic]:
         if pull >= _PULL:
             continue
         needed = masses * _PULL * radii[0] / len(radii) + max(map(_joint_friction, drive.wheels))
-        yield sheet.find(
-            "GZ-W04",
-            Severity.WARNING,
-            place,
-            what=f"a torque of {short(torque)} N m at each wheel "
-            + (
-                f"speeds up the robot of {short(masses)} kg by {short(pull)} m/s² at best"
-                if pull > 0.0
-                else "does not overcome the friction in the joints"
-            ),
-            here="The robot hardly moves, or not at all.",
-            gazebo="The robot hardly moves, or not at all.",
-            remedy=f"Write at least <{drive.torque_name}>{short(2 * needed)}</{drive.torque_name}>.",
+        gain = f"speeds up the robot of {short(masses)} kg by {short(pull)} m/s² at best"
+        what = gain if pull > 0.0 else "does not overcome the friction in the joints"
+        yield _weak(
+            sheet, drive, place, f"a torque of {short(torque)} N m at each wheel {what}", 2 * needed
         )
+
+
+def _weak(sheet: Sheet, drive: Drive, place: Element, what: str, enough: float) -> Diagnostic:
+    name = drive.torque_name
+    is_read = place.name in (name, "plugin")
+    follows = "The robot hardly moves, or not at all."
+    if not is_read:  # another rule tells of that
+        what = f"{what}, if it is read"
+        follows = f"As it is the robot moves: <{place.name}> is not read, and 5 N m is the default of <{name}>."
+    return sheet.find(
+        "GZ-W04",
+        Severity.WARNING if is_read else Severity.NOTE,
+        place,
+        what=what,
+        here=follows,
+        gazebo=follows,
+        remedy=f"Write at least <{name}>{short(enough)}</{name}>.",
+    )
 
 
 def dragging_caster(sheet: Sheet) -> Iterator[Diagnostic]:

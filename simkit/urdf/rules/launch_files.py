@@ -1,22 +1,16 @@
-"""Rules on launch files beside a URDF: do they load this robot, and do their nodes find it?"""
+"""Rules on launch files beside a URDF: are they XML, and do their nodes fit the robot and each other?"""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
-from pathlib import PurePosixPath
 
 from simkit.diagnostics import Diagnostic, Related, Rule, Severity
 from simkit.urdf.rules.companion import CompanionKind
-from simkit.urdf.rules.launch_facts import DESCRIPTION, LaunchFile, is_known, launch_files
+from simkit.urdf.rules.launch_facts import LaunchFile, launch_files
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.values import shown
 from simkit.urdf.rules.wording import quoted
-from simkit.xml import Element, Span
+from simkit.xml import Span
 
-_KNOWN_INCLUDES = ("empty_world.launch",)
-"Launch files that set no description of a robot."
-_SUBSTITUTION = re.compile(r"\$\([^()]*\)")
 _PLUGIN = "libgazebo_ros_joint_state_publisher.so"
 _CONTROLLER = "joint_state_controller/JointStateController"
 
@@ -47,126 +41,6 @@ def launch_xml(sheet: Sheet) -> Iterator[Diagnostic]:
                 gazebo="roslaunch refuses the file: Invalid roslaunch XML syntax.",
                 remedy=fault.remedy,
                 related=() if fault.other is None else (_other(launch, fault.other),),
-            )
-
-
-def description_missing(sheet: Sheet) -> Iterator[Diagnostic]:
-    """A node asks for a robot description that the launch file does not set.
-
-    Symptom: `Could not find parameter robot_description on parameter server`, a spawner that ends with `KeyError`, a plugin
-    that waits for ever.
-
-    Cause: The `<param>` is missing, has another name, or stands in a namespace of its own, inside of a `<node>` for
-    example.
-
-    Remedy: One `<param name="robot_description" ...>` in `<launch>`, in front of the nodes, and the same name behind
-    `-param`.
-
-    Right:
-
-        <param name="robot_description" textfile="$(find hello_ros)/urdf/hello_ros_robot_1.urdf"/>
-        <node name="spawn_urdf" pkg="gazebo_ros" type="spawn_model"
-              args="-param robot_description -urdf -model hello_ros_robot"/>
-    """
-    for launch in launch_files(sheet):
-        if any(_may_set_description(one) for one in launch.others):
-            continue
-        names = launch.names()
-        if not all(is_known(name) for name in names):
-            continue
-        given = {name.rpartition("/")[2] for name in names}
-        for node, wanted in launch.readers():
-            if not is_known(wanted) or wanted in given:
-                continue
-            near = sheet.near(wanted, names)
-            yield sheet.find(
-                "LCH-E03",
-                Severity.ERROR,
-                node.attribute("args") or node,
-                element=node,
-                companion=launch.companion,
-                what=f"node {quoted(node.get('name'))} needs the parameter {quoted(wanted)}, and the launch file does not set it",
-                here="The node ends with that message.",
-                gazebo="robot_state_publisher and spawn_model end; gazebo_ros_control waits for ever.",
-                remedy=f"Did you mean {' or '.join(map(quoted, near))}? The names must be the same."
-                if near
-                else f'Add <param name="{shown(wanted)}" textfile="$(find ...)/urdf/{_own_name(sheet)}"/>.',
-            )
-
-
-def other_description(sheet: Sheet) -> Iterator[Diagnostic]:
-    """The launch file loads another URDF.
-
-    Symptom: Changes of the file have no effect.
-
-    Cause: The launch file was copied, and its `textfile` still names the robot of the last exercise.
-
-    Remedy: Name this file, or check the other one.
-
-    Right:
-
-        <param name="robot_description" textfile="$(find hello_ros)/urdf/hello_ros_robot_2.urdf"/>
-    """
-    own = _own_name(sheet)
-    for launch in launch_files(sheet):
-        for parameter in launch.parameters:
-            source = parameter.get("textfile") or parameter.get("command") or ""
-            if (parameter.get("name") or "").rpartition("/")[2] != DESCRIPTION:
-                continue
-            words = [
-                word for word in source.replace("'", " ").replace('"', " ").split() if "." in word
-            ]
-            loaded = [
-                PurePosixPath(word).name for word in words if word.endswith((".urdf", ".xacro"))
-            ]
-            if not loaded or own in loaded or own.removesuffix(".urdf") + ".urdf.xacro" in loaded:
-                continue
-            yield sheet.find(
-                "LCH-I06",
-                Severity.NOTE,
-                parameter.attribute("textfile") or parameter.attribute("command") or parameter,
-                element=parameter,
-                companion=launch.companion,
-                what=f"the launch file loads {quoted(loaded[0])}, not {quoted(own)}",
-                here="simkit roslaunch loads the file that is named there.",
-                gazebo="roslaunch loads the file that is named there.",
-                remedy=f"Name {quoted(own)} there if this is the robot you mean.",
-            )  # fmt: skip
-
-
-def description_command(sheet: Sheet) -> Iterator[Diagnostic]:
-    """A `command="..."` that does not give a robot description.
-
-    Symptom: `Invalid <param> tag: Cannot load command parameter`.
-
-    Cause: The program is not there. `xacro.py` has been renamed to `xacro`, `cat` does not exist on Windows.
-
-    Remedy: `textfile="..."` for a URDF, `command="xacro FILE"` for a xacro file.
-
-    Right:
-
-        <param name="robot_description" textfile="$(find my_robot_urdf)/urdf/m2wr.urdf"/>
-    """
-    for launch in launch_files(sheet):
-        for parameter in launch.parameters:
-            command = parameter.attribute("command")
-            text = "" if command is None else _SUBSTITUTION.sub("x", command.value)
-            words = text.replace("'", " ").split()
-            program = PurePosixPath(words[0]).name if words else ""
-            if command is None or program in ("cat", "xacro"):
-                continue
-            is_old = program == "xacro.py"
-            yield sheet.find(
-                "LCH-E02",
-                Severity.ERROR if is_old else Severity.WARNING,
-                command,
-                element=parameter,
-                companion=launch.companion,
-                what=f"the command {quoted(program)} "
-                + ("is gone: it is called xacro now" if is_old else "is neither cat nor xacro"),
-                here="simkit runs no commands of a launch file; it does itself what cat and xacro do.",
-                gazebo="roslaunch stops with: Cannot load command parameter, if the program is not there.",
-                remedy='Write textfile="..." for a URDF, or command="xacro ..." for a xacro file.',
             )
 
 
@@ -248,42 +122,12 @@ def _other(launch: LaunchFile, span: Span) -> Related:
     return Related(file=launch.companion.file, span=span, text="it belongs to this", source=source)
 
 
-def _may_set_description(element: Element) -> bool:
-    """Whether an `<include>` or `<rosparam>` may set a description; no one looks into it here."""
-    if element.name == "rosparam":
-        return DESCRIPTION in element.text or element.get("param") == DESCRIPTION
-    name = PurePosixPath((element.get("file") or "").strip()).name
-    return name not in _KNOWN_INCLUDES
-
-
-def _own_name(sheet: Sheet) -> str:
-    return PurePosixPath(sheet.document.file.replace("\\", "/")).name
-
-
 RULES = (
     Rule(
         id="LCH-E04",
         title="a launch file that is not well-formed",
         severity=Severity.ERROR,
         look=launch_xml,
-    ),
-    Rule(
-        id="LCH-E03",
-        title="a robot description that is not set",
-        severity=Severity.ERROR,
-        look=description_missing,
-    ),
-    Rule(
-        id="LCH-I06",
-        title="a launch file that loads another URDF",
-        severity=Severity.NOTE,
-        look=other_description,
-    ),
-    Rule(
-        id="LCH-E02",
-        title="a command that gives no robot description",
-        severity=Severity.ERROR,
-        look=description_command,
     ),
     Rule(
         id="LCH-W05",

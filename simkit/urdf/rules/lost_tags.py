@@ -26,6 +26,8 @@ def with_lost_tags(document: Document) -> Element | None:
         word = line[: fault.span.length].strip("</> ")
         if word in WORDS:
             _put_back(root, word, fault)
+        elif word == "gazebo":
+            _put_gazebo_back(root, fault)
     return root
 
 
@@ -50,18 +52,32 @@ def _copy(root: Element) -> Element:
 def _put_back(root: Element, word: str, fault: Fault) -> None:
     """Wrap what lies loose before an end tag into an element of its name."""
     loose = _loose(root, word, fault.span)
-    if not loose:
-        return
+    if loose:
+        _wrap(loose, word, tuple(_attributes(root, word, fault.span, _kind(loose))))
+
+
+def _put_gazebo_back(root: Element, fault: Fault) -> None:
+    """Wrap what lies loose in the robot, and is none of its parts, into a `<gazebo>`: of a link, unless there is a plugin."""
+    loose: list[Element] = []
+    for child in reversed([child for child in root.children if child.span < fault.span]):
+        is_part = child.name in WORDS["robot"].children and child.get("name") is not None
+        if is_part or child.name == "gazebo":
+            break
+        loose.insert(0, child)
+    link = next((link.get("name") for link in root.all("link")), None)
+    is_of_robot = link is None or any(child.name == "plugin" for child in loose)
+    span = fault.span
+    of_link = Attribute(name="reference", value=link or "", name_span=span, value_span=span)
+    if loose:
+        _wrap(loose, "gazebo", () if is_of_robot else (of_link,))
+
+
+def _wrap(loose: list[Element], word: str, attributes: tuple[Attribute, ...]) -> None:
     parent = loose[0].parent
     if parent is None:
         return
-    back = Element(
-        name=word,
-        span=loose[0].span,
-        attributes=tuple(_attributes(root, word, fault.span)),
-        children=loose,
-        parent=parent,
-    )
+    span = loose[0].span
+    back = Element(name=word, span=span, attributes=attributes, children=loose, parent=parent)
     place = next(number for number, one in enumerate(parent.children) if one is loose[0])
     parent.children[place : place + len(loose)] = [back]
     for child in loose:
@@ -91,11 +107,19 @@ def _is_loose(element: Element, word: str) -> bool:
     return word in around.children and element.name in WORDS[word].children and not fits_there
 
 
-def _attributes(root: Element, word: str, span: Span) -> Iterator[Attribute]:
+def _kind(loose: list[Element]) -> str:
+    """The type that a joint of these parts must have had."""
+    parts = {child.name: child for child in loose}
+    if "limit" in parts and parts["limit"].attribute("lower") is not None:
+        return "revolute"
+    return "continuous" if "limit" in parts or "axis" in parts else "fixed"
+
+
+def _attributes(root: Element, word: str, span: Span, kind: str) -> Iterator[Attribute]:
     """The attributes that the lost tag must have had, with values that raise no other finds."""
     wanted = {"link": _wanted_links, "material": _wanted_materials}.get(word)
     name = next(wanted(root), "") if wanted is not None else ""
-    values = {"name": name or f"{word}_of_line_{span.line}", "type": "fixed"}
+    values = {"name": name or f"{word}_of_line_{span.line}", "type": kind}
     for attribute in WORDS[word].required:
         value = values.get(attribute, "")
         yield Attribute(name=attribute, value=value, name_span=span, value_span=span)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 from simkit.diagnostics import Diagnostic, Rule, Severity
@@ -15,6 +16,9 @@ from simkit.xml import Attribute, Element
 
 _W22, _W23 = "URDF-W22", "URDF-W23"
 _GREY = "the shape is drawn in a default colour"
+_GREY_RGBA = "0.75 0.75 0.75 1"
+_MOST_CUT = 2.0
+"Of numbers up to this what is too much is cut off; larger ones are on a scale to 100 or 255."
 
 
 def undefined_material(sheet: Sheet) -> Iterator[Diagnostic]:
@@ -36,6 +40,8 @@ def undefined_material(sheet: Sheet) -> Iterator[Diagnostic]:
     """
     defined = _definitions(sheet)
     names = {name: one for name, one in defined.items() if one.is_global}
+    known = sorted(defined)
+    uses = Counter(one.name for one in sheet.materials)
     told: set[str] = set()
     for material in sheet.materials:
         if not material.name:
@@ -49,10 +55,8 @@ def undefined_material(sheet: Sheet) -> Iterator[Diagnostic]:
                 yield _redefined(sheet, material, first)
         elif material.name not in names and material.name not in told:
             told.add(material.name)
-            uses = [
-                one for one in sheet.materials if one.name == material.name and one is not first
-            ]
-            yield _undefined(sheet, material, first, sorted(defined), len(uses) - 1)
+            more = uses[material.name] - 1
+            yield _undefined(sheet, material, first, known, more)
 
 
 def _definitions(sheet: Sheet) -> dict[str, MaterialEntry]:
@@ -145,7 +149,7 @@ def bad_colour(sheet: Sheet) -> Iterator[Diagnostic]:
         written = meant_attribute(color, "rgba", "color")
         trouble, right = _trouble(written)
         if trouble:
-            yield _bad(sheet, color, written, f"{trouble}{_of(material)}", right)
+            yield _bad(sheet, color, written, trouble.format(of=_of(material)), right)
 
 
 def _of(material: MaterialEntry) -> str:
@@ -153,27 +157,33 @@ def _of(material: MaterialEntry) -> str:
 
 
 def _trouble(written: Attribute | None) -> tuple[str, str]:
-    """What is wrong with a colour, and what would be right."""
+    """What is wrong with a colour, with a gap for whose it is, and what would be right."""
     if written is None:
-        return "a colour without rgba", "0.75 0.75 0.75 1"
-    text = written.value
-    numbers = [read_number(word) for word in text.split(" ") if word]
-    known = [number for number in numbers if number is not None]
-    if len(known) == len(numbers) == 3:
-        return f"rgba={shown(text)!r} lacks its fourth number, the opacity", _scaled([*known, 1.0])
-    if len(known) == len(numbers) == 4:
+        return "a colour without rgba{of}", _GREY_RGBA
+    text = shown(written.value).replace("{", "{{").replace("}", "}}")
+    words = [word for word in written.value.split(" ") if word]
+    known = [number for word in words if (number := read_number(word)) is not None]
+    if len(known) == len(words) == 3:
+        return f"rgba={text!r}{{of}} lacks its fourth number, the opacity", _scaled([*known, 1.0])
+    if len(known) == len(words) == 4:
         if all(0.0 <= number <= 1.0 for number in known):
             return "", ""
-        return f"rgba={shown(text)!r} is not from 0 to 1", _scaled(known)
-    right = mended(text, 4) or (f"{mended(text, 3)} 1" if mended(text, 3) else "0.75 0.75 0.75 1")
-    return f"rgba={shown(text)!r} is not four numbers", right
+        return f"the numbers of rgba={text!r}{{of}} are not all from 0 to 1", _scaled(known)
+    return f"rgba={text!r}{{of}} is not four numbers", _mended(written.value)
+
+
+def _mended(text: str) -> str:
+    """The colour that was meant by something that is not four numbers; grey if that cannot be told."""
+    right = mended(text, 4) or mended(text, 3)
+    numbers = [float(word) for word in (right or "").split()]
+    return _scaled([*numbers, 1.0][:4]) if numbers else _GREY_RGBA
 
 
 def _scaled(numbers: list[float]) -> str:
     """A colour from 0 to 1 for one from 0 to 255, or to 100; of others what is too much is cut off."""
     *colour, opacity = numbers
     top = max(colour)
-    full = 1.0 if top <= 1.0 or top > 255.0 else 100.0 if top == 100.0 else 255.0
+    full = 1.0 if top <= _MOST_CUT or top > 255.0 else 100.0 if top == 100.0 else 255.0
     opacity = opacity / (255.0 if opacity > 100.0 else 100.0) if opacity > 1.0 else opacity
     scaled = [*(value / full for value in colour), opacity]
     return " ".join(number_text(round(min(max(value, 0.0), 1.0), 3)) for value in scaled)
@@ -182,8 +192,12 @@ def _scaled(numbers: list[float]) -> str:
 def _bad(
     sheet: Sheet, color: Element, written: Attribute | None, what: str, right: str
 ) -> Diagnostic:
-    is_short = written is not None and len(written.value.split()) == 3
-    follows = "The colour becomes black." if is_short else "The material gets no colour."
+    words = [] if written is None else written.value.split()
+    numbers = [read_number(word) for word in words]
+    is_black = len(words) not in (0, 4) and all(
+        number is not None and 0.0 <= number <= 1.0 for number in numbers
+    )
+    follows = "The colour becomes black." if is_black else "The material gets no colour."
     return sheet.find(
         _W23,
         Severity.WARNING,

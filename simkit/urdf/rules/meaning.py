@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import lru_cache
+from itertools import islice
 
 from simkit.urdf.rules.vocabulary import WORDS
 from simkit.xml import Attribute, Element
@@ -31,6 +32,8 @@ _ALIKE = 0.7
 """From this similarity on, of 1, a word passes for a misspelt one."""
 _LONGEST = 40
 """Longer words are no slip of the pen; comparing them would take time [letters]."""
+_MOST = 40
+"""So many unknown attributes of an element are compared with what may stand there; nobody misspells more of them."""
 
 
 @lru_cache(maxsize=1024)
@@ -44,6 +47,8 @@ def nearest(written: str, words: tuple[str, ...]) -> str | None:
 
     folded = {word.lower(): word for word in words}
     found = difflib.get_close_matches(written.lower(), folded, n=1, cutoff=_ALIKE)
+    # Of `xzy` and `xyz` too few letters agree, but two that changed places are the commonest slip.
+    found = found or [word for word in folded if sorted(word) == sorted(written.lower())]
     return folded[found[0]] if found else None
 
 
@@ -93,12 +98,25 @@ def meant_attribute(element: Element, name: str, context: str) -> Attribute | No
     exact = element.attribute(name)
     if exact is not None:
         return exact
-    unknown = [one for one in element.attributes if one.name not in WORDS[context].attributes]
-    missing = tuple(one for one in WORDS[context].attributes if element.attribute(one) is None)
-    for one in unknown:
-        if (OTHER_NAMES.get((context, one.name)) or nearest(one.name, missing)) == name:
-            return one
-    return None
+    return next((one for one, word in misspelt_attributes(element, context) if word == name), None)
+
+
+def misspelt_attributes(element: Element, context: str) -> list[tuple[Attribute, str]]:
+    """The unknown attributes of an element that look like ones it lacks, each with the one that it looks like.
+
+    Args:
+        element: The element.
+        context: The word that the element itself is meant to be.
+    """
+    known = WORDS[context].attributes
+    missing = tuple(one for one in known if element.attribute(one) is None)
+    unknown = (one for one in element.attributes if one.name not in known)
+    meant: dict[str, Attribute] = {}
+    for one in islice(unknown, _MOST):
+        word = OTHER_NAMES.get((context, one.name)) or nearest(one.name, missing)
+        if word in missing:
+            meant.setdefault(word, one)
+    return [(one, word) for word, one in meant.items()]
 
 
 def first(elements: Iterable[Element]) -> Element | None:

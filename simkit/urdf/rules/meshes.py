@@ -51,6 +51,7 @@ def mesh(sheet: Sheet) -> Iterator[Diagnostic]:
     looker = _Looker(sheet)
     for uses in places.values():
         yield from looker.look(*uses[0], count=len(uses))
+    yield from looker.unknown_packages()
 
 
 class _Looker:
@@ -60,6 +61,7 @@ class _Looker:
         self._sheet = sheet
         self._finder = MeshFinder(sheet.folder, sheet.packages)
         self._packages: dict[str, bool] = {}
+        self._unknown: dict[str, list[tuple[Element, Attribute, str]]] = {}
 
     def look(self, body: BodyEntry, attribute: Attribute, *, count: int) -> Iterator[Diagnostic]:
         """What is wrong with a mesh, told at the first of its `count` uses."""
@@ -86,8 +88,14 @@ class _Looker:
     ) -> Iterator[Diagnostic]:
         name = attribute.value
         path, problem = self._finder.find(name)
+        if path is None and not self._knows_package(name):
+            package = name.removeprefix("package://").partition("/")[0]
+            self._unknown.setdefault(package, []).append((element, attribute, problem))
+            return
         if path is None:
-            yield self._missing(element, attribute, problem, more)
+            what = f"the mesh of {part_of(element)}{more} is not found: {shown_long(problem)}"
+            remedy = "Correct the name, or put the file there."
+            yield self._lost(element, attribute, what, remedy)
             return
         if not _SCHEME.match(name):
             yield self._relative(element, attribute, more)
@@ -96,16 +104,14 @@ class _Looker:
             if extent is not None:
                 yield from self._odd_size(element, attribute, body.shape, extent)
 
-    def _missing(
-        self, element: Element, attribute: Attribute, problem: str, more: str
-    ) -> Diagnostic:
-        known = self._knows_package(attribute.value)
-        remedy = "Correct the name, or put the file there."
-        if not known:
-            remedy = "Put the package (a folder with a package.xml) beside this one, or name it in SIMKIT_PACKAGE_PATH."
-        what = f"the mesh of {part_of(element)}{more} is not found: {shown_long(problem)}"
-        severity = Severity.ERROR if known else Severity.WARNING
-        return self._lost(element, attribute, what, remedy, severity)
+    def unknown_packages(self) -> Iterator[Diagnostic]:
+        """One find for each package that is not there, however many meshes are in it."""
+        remedy = "Put the package (a folder with a package.xml) beside this one, or name it in SIMKIT_PACKAGE_PATH."
+        for meshes in self._unknown.values():
+            element, attribute, problem = meshes[0]
+            others = f", nor {len(meshes) - 1} more of that package" if len(meshes) > 1 else ""
+            what = f"the mesh of {part_of(element)} is not found{others}: {shown_long(problem)}"
+            yield self._lost(element, attribute, what, remedy, Severity.WARNING)
 
     def _knows_package(self, filename: str) -> bool:
         if not filename.startswith("package://") or self._sheet.packages is None:

@@ -72,8 +72,11 @@ def _rings(follows: dict[str, str]) -> dict[str, list[str]]:
 
 
 def _unknown(sheet: Sheet, joint: JointEntry, name: str) -> Diagnostic:
-    near = sheet.near(name, sheet.joint_by_name)
-    remedy = f"{meant(near)}The joints are {listed(sheet.joint_by_name)}."
+    others = [one for one in sheet.joint_by_name if one != joint.name]
+    near = sheet.near(name, others)
+    remedy = f"{meant(near)}The other joints are {listed(others)}."
+    if not others:
+        remedy = "Take it out: there is no other joint that it could follow."
     if name in sheet.link_by_name:
         above = sheet.joints_above.get(name, ())
         if above and above[0].name:

@@ -25,6 +25,8 @@ def missing_attributes(element: Element, word: str) -> list[str]:
         return []
     required = [name for name in WORDS[word].required if name != "name"]
     missing = [name for name in required if meant_attribute(element, name, word) is None]
+    if word in ("parent", "child") and not missing and not element.get("link", "-"):
+        return ["link"]  # an empty name is none
     if word == "dynamics":
         either = ("damping", "friction")
         given = any(meant_attribute(element, name, word) is not None for name in either)

@@ -91,13 +91,15 @@ def name_missing(sheet: Sheet) -> Iterator[Diagnostic]:
     """
     if sheet.robot is None:
         return
-    if meant_attribute(sheet.robot, "name", "robot") is None:
-        yield _nameless(sheet, sheet.robot, 'name="my_robot"', refuses=True)
+    name = meant_attribute(sheet.robot, "name", "robot")
+    if name is None or not name.value:
+        yield _nameless(sheet, sheet.robot, 'name="my_robot"', refuses=name is None)
     asked = {id(link): name for name, link in names_for_spare_links(sheet).items()}
+    refuses = len(sheet.links) > 1  # no joint can name such a link, so it is a second root
     for link in sheet.links:
         if link.name is None:
             wish = f'name="{asked[id(link)]}", which a joint asks for' if id(link) in asked else ""
-            yield _nameless(sheet, link.element, wish or 'name="my_link"', refuses=False)
+            yield _nameless(sheet, link.element, wish or 'name="my_link"', refuses=refuses)
     for joint in sheet.joints:
         if joint.name is None:
             wish = f'name="{joint.child or "my"}_joint"'
@@ -112,10 +114,14 @@ def _nameless(sheet: Sheet, element: Element, wish: str, *, refuses: bool) -> Di
     follows = refusal() if refuses else loss(element)
     here, gazebo = follows.here, follows.gazebo
     severity = follows.severity
-    if element.name == "link":
+    is_link = called(element).startswith("a link ")
+    if is_link and not refuses:
         here = gazebo = "The file is accepted, with a link whose name is empty."
+    elif is_link:
+        pass
     elif empty is not None:
-        severity, here, gazebo = Severity.WARNING, "", "The file is accepted, with an empty name."
+        severity, here = Severity.WARNING, "The file is accepted, with an empty name."
+        gazebo = here
     whole = "the robot" if element.parent is None else f"a <{shown(element.name)}>"
     where = f" in {part_of(element)}" if element.name == "material" else ""
     return sheet.find(

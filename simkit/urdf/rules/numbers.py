@@ -35,6 +35,7 @@ _COUNTS: Mapping[tuple[str, str], int] = {
     **{(word, name): 3 for word, names in _VECTORS.items() for name in names},
     **{(word, name): 1 for word, names in _NUMBERS.items() for name in names},
 }
+_EXAMPLES = {"rpy": "0 0 1.5708", "size": "0.1 0.1 0.2", "scale": "1 1 1"}
 _WITHOUT_AXIS = ("fixed", "floating")
 _MOST_LINES = 10
 "A value over more lines is not looked at so closely."
@@ -111,7 +112,9 @@ def _bad(
 ) -> Diagnostic:
     right = mended(attribute.value, count)
     many = "one number" if count == 1 else f"{count} numbers with spaces between them"
-    example = "0.5" if count == 1 else "0 0 0.5"
+    example = _EXAMPLES.get(attribute.name, "0 0 0.5") if count > 1 else "0.5"
+    if element.name == "axis":
+        example = "0 0 1"
     follows = _follows(element)
     return sheet.find(
         _E19,

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.rules.bodies import fitting_tensor
 from simkit.urdf.rules.grammar import in_context
 from simkit.urdf.rules.meaning import meant_children, meant_word
 from simkit.urdf.rules.missing import missing_attributes, wanted_text
+from simkit.urdf.rules.paste import tensor_text
 from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.tree_facts import free_end
 from simkit.urdf.rules.values import shown
 from simkit.urdf.rules.vocabulary import SHAPES, WORDS
 from simkit.urdf.rules.wording import called, loss, part_of
@@ -62,7 +65,7 @@ def attribute_missing(sheet: Sheet) -> Iterator[Diagnostic]:
                 follows.severity,
                 element,
                 what=f"<{shown(element.name)}> of {part_of(element)} lacks {names}",
-                remedy=wanted_text(element, word, missing),
+                remedy=_end_text(sheet, element, word) or wanted_text(element, word, missing),
                 here=follows.here,
                 gazebo=follows.gazebo,
             )
@@ -99,7 +102,27 @@ def element_missing(sheet: Sheet) -> Iterator[Diagnostic]:
             parts = meant_children(element, word)
             for name, example in _NEEDED[word].items():
                 if not parts[name]:
-                    yield _lacking(sheet, element, name, example)
+                    yield _lacking(sheet, element, name, _computed(sheet, element, name) or example)
+
+
+def _end_text(sheet: Sheet, element: Element, word: str) -> str:
+    """What to write into a `<parent/>` or `<child/>` that names no link; nothing if it cannot be told."""
+    is_end = word in ("parent", "child") and element.parent is not None and not element.text.strip()
+    link = free_end(sheet, element.parent or element, word) if is_end else ""
+    return link and f'Write <{word} link="{shown(link)}"/>.'
+
+
+def _computed(sheet: Sheet, element: Element, name: str) -> str:
+    """What a part should be, where the rest of the robot says so: the inertia of the shape, the link that nobody names."""
+    if name == "inertia":
+        parent = element.parent
+        link = None if parent is None else sheet.link_by_name.get(parent.get("name") or "")
+        tensor = None if link is None or link.element is not parent else fitting_tensor(link)
+        return "" if tensor is None else tensor_text(tensor)
+    if name in ("parent", "child"):
+        link_name = free_end(sheet, element, name)
+        return link_name and f'<{name} link="{shown(link_name)}"/>'
+    return ""
 
 
 def _lacking(sheet: Sheet, element: Element, name: str, example: str) -> Diagnostic:
@@ -174,7 +197,7 @@ def repeated_part(sheet: Sheet) -> Iterator[Diagnostic]:
 
 def _repeated(sheet: Sheet, name: str, second: Element, first: Element) -> Diagnostic:
     in_visual = name in ("geometry", "shape")
-    whole = part_of(second)
+    whole = part_of(second.parent or second)
     return sheet.find(
         _W35,
         Severity.WARNING,

@@ -42,7 +42,7 @@ def _place(rule: Rule) -> tuple[int, str]:
 
 
 def _is_malformed(sheet: Sheet) -> bool:
-    return bool(sheet.document.faults)
+    return bool(sheet.document.faults) or sheet.document.has_wide_letters
 
 
 def _is_odd_file(sheet: Sheet) -> bool:
@@ -75,6 +75,10 @@ def _has_meshes(sheet: Sheet) -> bool:
 def _has_bodies(sheet: Sheet) -> bool:
     """Whether any link has mass, or can be touched: a robot to simulate, not only to look at."""
     return any(link.inertial is not None or link.collisions for link in sheet.links)
+
+
+def _has_world(sheet: Sheet) -> bool:
+    return _is_for_gazebo(sheet) and any(link.name == "world" for link in sheet.links)
 
 
 def _is_for_gazebo(sheet: Sheet) -> bool:
@@ -113,10 +117,11 @@ _TOPICS: Mapping[str, Callable[[Sheet], bool]] = {
     **dict.fromkeys(("tensor", "tensor_and_shape", "tensor_slip"), _has_bodies),
     **dict.fromkeys(("shape_places", "spawn_pose"), _has_bodies),
     **dict.fromkeys(("gazebo_blocks", "colours"), _is_for_gazebo),
+    "world_link": _has_world,
     **dict.fromkeys(("plugins", "plugin_names", "joint_lists"), _has_plugins),
     **dict.fromkeys(("drive", "drive_force"), _has_drive),
     "sensors": _has_gazebo,
     "transmissions": _has_control,
-    **dict.fromkeys(("controllers", "launch_files"), _has_companions),
+    **dict.fromkeys(("controllers", "launch_files", "launch_description"), _has_companions),
 }
 """Modules of rules in this folder, each with what a file must have for them to find anything."""

@@ -200,10 +200,12 @@ def _find(sheet: Sheet, severity: Severity, at: object, what: str, remedy: str) 
         at,  # type: ignore[arg-type]
         element=element,
         what=what,
-        here="simkit leaves out the sensor." if severity is not Severity.NOTE else "",
-        gazebo="Gazebo takes a default, or drops the sensor."
-        if severity is not Severity.NOTE
-        else "",
+        here="Nothing is published."
+        if severity is Severity.NOTE
+        else "simkit leaves out the sensor.",
+        gazebo="Gazebo simulates the sensor; what it senses reaches ROS by a plugin only."
+        if severity is Severity.NOTE
+        else "Gazebo takes a default, or drops the sensor.",
         remedy=remedy,
     )
 

@@ -237,7 +237,12 @@ def read_sheet(
 
 def _is_for_xacro(element: Element) -> bool:
     values = (attribute.value for attribute in element.attributes)
-    return element.name.startswith("xacro:") or any("${" in value for value in values)
+    return element.name.startswith("xacro:") or any(map(is_for_xacro, values))
+
+
+def is_for_xacro(value: str) -> bool:
+    """Whether the value of an attribute waits for xacro: `${width / 2}`, `$(arg prefix)wheel`."""
+    return "${" in value or "$(arg " in value or "$(optenv " in value
 
 
 def _parts(robot: Element) -> Iterator[tuple[str, Element]]:

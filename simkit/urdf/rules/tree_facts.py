@@ -9,6 +9,9 @@ from simkit.urdf.rules.entries import JointEntry, LinkEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.xml import Attribute, Element
 
+_MOST_LINKS = 200
+"In a larger robot nobody looks for the link that a joint lacks; it takes long."
+
 
 class Wanted(Record):
     """A joint names a link that does not exist."""
@@ -58,6 +61,36 @@ def names_for_spare_links(sheet: Sheet) -> dict[str, LinkEntry]:
             if wanted.name not in found and not sheet.near(wanted.name, sheet.link_by_name):
                 found[wanted.name] = spare[len(found)]
     return found
+
+
+def free_end(sheet: Sheet, joint: Element, role: str) -> str:
+    """The link that a joint without one of its ends most likely joins, if only one comes into question; else nothing.
+
+    Args:
+        sheet: The robot.
+        joint: The element of the joint.
+        role: The end that it lacks, `parent` or `child`.
+    """
+    entry = sheet.joint_by_name.get(joint.get("name") or "")
+    if entry is None or max(len(sheet.links), len(sheet.joints)) > _MOST_LINKS:
+        return ""
+    if role == "child":
+        top = _top(sheet, entry.parent or "")
+        likely = [name for name, link in sheet.link_by_name.items() if sheet.is_root(link)]
+        likely = [name for name in likely if name != top]
+    else:
+        ends = [name for name in sheet.link_by_name if not sheet.joints_below.get(name)]
+        likely = [name for name in ends if _top(sheet, name) != entry.child]
+    return likely[0] if len(likely) == 1 else ""
+
+
+def _top(sheet: Sheet, name: str) -> str:
+    """The link that a link hangs on in the end; in a loop any of it."""
+    seen: set[str] = set()
+    while name not in seen and (above := sheet.joints_above.get(name)):
+        seen.add(name)
+        name = above[0].parent or name
+    return name
 
 
 def is_whole(sheet: Sheet) -> bool:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from simkit.diagnostics import Diagnostic, Rule, Severity
-from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.sheet import Sheet, is_for_xacro
 from simkit.urdf.rules.values import shown
 from simkit.urdf.rules.wording import refusal
+from simkit.urdf.urdfdom.numbers import MalformedError, check_version
 
 _E27, _E28, _E29 = "URDF-E27", "URDF-E28", "URDF-E29"
 _SDF = "This is SDF, Gazebo's other language. Spawn it with spawn_model -sdf, or write it anew as URDF."
@@ -43,7 +44,7 @@ def no_robot(sheet: Sheet) -> Iterator[Diagnostic]:
         root.name, 'A URDF is one <robot name="..."> with links and joints in it.'
     )
     if sheet.robot is not None:
-        remedy = "Write <robot>, in small letters."
+        remedy = "Write <robot>" + (", in small letters." if root.name.lower() == "robot" else ".")
     elif inner is not None:
         remedy = f"Take <{shown(root.name)}> out: the <robot> in line {inner.span.line} must be outermost."
     yield sheet.find(
@@ -72,7 +73,7 @@ def bad_version(sheet: Sheet) -> Iterator[Diagnostic]:
         <robot name="my_robot">
     """
     version = None if sheet.robot is None else sheet.robot.attribute("version")
-    if version is None or version.value == "1.0":
+    if version is None or _is_known(version.value):
         return
     yield sheet.find(
         _E28,
@@ -84,6 +85,14 @@ def bad_version(sheet: Sheet) -> Iterator[Diagnostic]:
         here=refusal().here,
         gazebo=refusal().gazebo,
     )
+
+
+def _is_known(version: str) -> bool:
+    try:
+        check_version(version)
+    except MalformedError:
+        return False
+    return True
 
 
 def unexpanded_xacro(sheet: Sheet) -> Iterator[Diagnostic]:
@@ -104,7 +113,7 @@ def unexpanded_xacro(sheet: Sheet) -> Iterator[Diagnostic]:
     if not found:
         return
     element = found[0]
-    attribute = next((one for one in element.attributes if "${" in one.value), None)
+    attribute = next((one for one in element.attributes if is_for_xacro(one.value)), None)
     what = (
         f"<{shown(element.name)}>"
         if attribute is None
@@ -112,7 +121,8 @@ def unexpanded_xacro(sheet: Sheet) -> Iterator[Diagnostic]:
     )
     more = f", and {len(found) - 1} more such places" if len(found) > 1 else ""
     name = sheet.document.file.rpartition("/")[2]
-    urdf = name.removesuffix(".xacro").removesuffix(".urdf") + ".urdf"
+    stem = name.removesuffix(".xacro").removesuffix(".urdf")
+    urdf = f"{stem}.urdf" if name != f"{stem}.urdf" else f"{stem}_made.urdf"
     yield sheet.find(
         _E29,
         Severity.ERROR,
@@ -121,7 +131,7 @@ def unexpanded_xacro(sheet: Sheet) -> Iterator[Diagnostic]:
         what=f"{what} is for xacro, which has not been run on this file{more}",
         remedy=f'Make a URDF of it: xacro {shown(name)} > {shown(urdf)}; in a launch file command="xacro ...".',
         here="No other rule looks at this file.",
-        gazebo="ROS ignores xacro's elements, and takes ${...} for a number that is none.",
+        gazebo="ROS ignores xacro's elements, and takes ${...} and $(...) as they are: for names, and for numbers that are none.",
     )
 
 

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 from simkit.diagnostics import Diagnostic, Rule, Severity
 from simkit.urdf.rules.grammar import in_context
-from simkit.urdf.rules.meaning import meant_attribute, meant_word, nearest
+from simkit.urdf.rules.meaning import meant_word, misspelt_attributes, nearest
 from simkit.urdf.rules.misplaced import advice
 from simkit.urdf.rules.missing import missing_attributes
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import shown
 from simkit.urdf.rules.vocabulary import SHAPES, WORDS
-from simkit.urdf.rules.wording import loss, part_of
+from simkit.urdf.rules.wording import loss, part_of, quoted
 from simkit.xml import Attribute, Element
 
 _W17 = "URDF-W17"
@@ -45,8 +45,7 @@ def unknown_word(sheet: Sheet) -> Iterator[Diagnostic]:
     for element, word in in_context(sheet.robot):
         for child in element.children:
             yield from _unknown_element(sheet, child, word)
-        for attribute in element.attributes:
-            yield from _unknown_attribute(sheet, element, attribute, word)
+        yield from _unknown_attributes(sheet, element, word)
 
 
 def _unknown_element(sheet: Sheet, element: Element, context: str) -> Iterator[Diagnostic]:
@@ -83,13 +82,34 @@ def _unknown_element(sheet: Sheet, element: Element, context: str) -> Iterator[D
         element,
         what=what,
         remedy=remedy,
-        here=follows.here if follows else "simkit ignores it, too.",
-        gazebo=follows.gazebo if follows else _silence(near),
+        here=follows.here if follows else "simkit does the same.",
+        gazebo=follows.gazebo if follows else _silence(sheet, element, near),
     )
 
 
-def _silence(near: str | None) -> str:
+def _silence(sheet: Sheet, element: Element, near: str | None) -> str:
+    word = near or (element.name if element.name in ("link", "joint") else "")
+    reason = _refused_without(sheet, element, word)
+    if reason:
+        return f"ROS ignores it as if there were no <{word}>, and then refuses the whole file: {reason}."
     return f"{_SILENT[:-1]}, as if there were no <{near}>." if near else _SILENT
+
+
+def _refused_without(sheet: Sheet, element: Element, word: str) -> str:
+    """Why ROS refuses a robot without a link, joint or limit; empty if it does not."""
+    name = element.get("name")
+    if word == "link" and len(sheet.links) == 1:
+        return "there is no link"
+    if word == "link" and (name in sheet.joints_above or name in sheet.joints_below):
+        return "a joint names that link"
+    if word == "joint":
+        child = next((one.child for one in sheet.joints if one.element is element), None)
+        is_only = child in sheet.link_by_name and len(sheet.joints_above.get(child or "", ())) == 1
+        return f"then link {quoted(child)} hangs on nothing" if is_only else ""
+    joint = element.parent
+    if word == "limit" and joint is not None and joint.get("type") in ("revolute", "prismatic"):
+        return f"a {joint.get('type')} joint needs it"
+    return ""
 
 
 def _where(element: Element) -> str:
@@ -108,22 +128,27 @@ def _is_told_elsewhere(element: Element, context: str) -> bool:
     return parent is not None and element.name in missing_attributes(parent, context)
 
 
-def _unknown_attribute(
-    sheet: Sheet, element: Element, attribute: Attribute, context: str
-) -> Iterator[Diagnostic]:
-    word = WORDS[context]
-    name = attribute.name
-    if name in word.attributes or ":" in name or name == "xmlns":
-        return
-    if name == "diameter" and "radius" in missing_attributes(element, context):
-        return
-    meant = next(
-        (one for one in word.attributes if meant_attribute(element, one, context) is attribute),
-        None,
+def _unknown_attributes(sheet: Sheet, element: Element, context: str) -> Iterator[Diagnostic]:
+    known = WORDS[context].attributes
+    unknown = [one for one in element.attributes if one.name not in known]
+    meanings = (
+        {one.name: word for one, word in misspelt_attributes(element, context)} if unknown else {}
     )
-    severity = Severity.ERROR if meant in word.required else Severity.WARNING
+    for attribute in unknown:
+        name = attribute.name
+        is_other = ":" in name or name == "xmlns"
+        is_told = name == "diameter" and "radius" in missing_attributes(element, context)
+        if not is_other and not is_told:
+            yield _unknown_attribute(sheet, element, attribute, context, meanings.get(name))
+
+
+def _unknown_attribute(
+    sheet: Sheet, element: Element, attribute: Attribute, context: str, meant: str | None
+) -> Diagnostic:
+    name = attribute.name
+    severity = Severity.ERROR if _is_needed(element, context, meant) else Severity.WARNING
     follows = loss(element) if severity is Severity.ERROR else None
-    yield sheet.find(
+    return sheet.find(
         _W17,
         severity,
         attribute.name_span,
@@ -135,6 +160,13 @@ def _unknown_attribute(
         here=follows.here if follows else "simkit ignores it, too.",
         gazebo=follows.gazebo if follows else _SILENT,
     )
+
+
+def _is_needed(element: Element, context: str, meant: str | None) -> bool:
+    """Whether ROS loses the element if the attribute that is meant is not there."""
+    if context == "dynamics":  # which needs one of its two
+        return bool(meant) and not any(element.attribute(one) for one in WORDS[context].attributes)
+    return meant in WORDS[context].required
 
 
 def _advice(name: str, context: str) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from simkit.diagnostics import Diagnostic, Rule, Severity
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.urdfdom.tinyxml import TinyXmlError, parse_tiny
-from simkit.xml import Fault, FaultKind
+from simkit.xml import Fault, FaultKind, Span
 
 _E01 = "URDF-E01"
 _REFUSED = "ROS refuses the file, and names no line or the wrong one."
@@ -15,6 +15,7 @@ _ONLY_EXPAT = (
     "check_urdf and robot_state_publisher accept it; joint_state_publisher and spawn_model, which are written in Python, "
     "refuse the file."
 )
+_URDF = 'a URDF is one <robot name="..."> with links and joints in it.'
 _NOT_LOADED = "The rest of the file is checked, too; the robot is not loaded."
 _LOADED = "simkit takes it as ROS does."
 _OTHER_PLACE = {
@@ -23,6 +24,7 @@ _OTHER_PLACE = {
     FaultKind.STRAY_END: "it is closed here already",
     FaultKind.DUPLICATE_ATTRIBUTE: "the first one",
     FaultKind.DECLARATION: "this stands before it",
+    FaultKind.DOUBLED_TAG: "the first one",
     FaultKind.SECOND_ROOT: "the first root",
 }
 
@@ -33,7 +35,8 @@ def malformed(sheet: Sheet) -> Iterator[Diagnostic]:
     Nothing loads, and the line that is named is mostly not the one that is wrong: a parser notices a missing `</visual>` only
     where the link ends. Each element that is opened must be closed, the inner one first; each attribute stands once in a tag,
     in quotation marks; `<?xml ...?>`, if it is there, is the very first thing in the file. Editors that know XML show the
-    partner of a tag.
+    partner of a tag. ROS reads files with one byte for a letter (UTF-8): one that an editor or PowerShell has saved as UTF-16
+    is empty to it.
 
     Wrong:
 
@@ -48,18 +51,39 @@ def malformed(sheet: Sheet) -> Iterator[Diagnostic]:
         </visual>
     """
     faults = sheet.document.faults
+    root = sheet.document.root
+    if sheet.document.has_wide_letters:
+        yield _wide_letters(sheet)
+    if root is not None and root.name.lower() == "html":
+        return  # its faults are nobody's here
     is_loaded = bool(faults) and _is_accepted(sheet)
     for fault in faults:
         yield _told(sheet, fault, is_loaded=is_loaded)
 
 
 def _is_accepted(sheet: Sheet) -> bool:
-    """Whether TinyXML, which ROS reads URDFs with, puts up with the faults."""
+    """Whether TinyXML, which ROS reads URDFs with, puts up with the faults, and finds the robot behind them."""
+    if sheet.document.has_wide_letters:
+        return False
     try:
-        parse_tiny(sheet.document.text.encode("utf-8", "surrogatepass"))
+        roots = parse_tiny(sheet.document.text.encode("utf-8", "surrogatepass"))
     except TinyXmlError:
         return False
-    return True
+    own = sheet.document.root
+    is_other = own is not None and own.name != "robot"  # which another rule tells of
+    return is_other or any(root.name == "robot" for root in roots)
+
+
+def _wide_letters(sheet: Sheet) -> Diagnostic:
+    return sheet.find(
+        _E01,
+        Severity.ERROR,
+        Span(1, 1),
+        what="the file is saved as UTF-16, with two bytes for each letter",
+        remedy="Save it as UTF-8: most editors ask for the encoding; in PowerShell, ... | Out-File -Encoding utf8 robot.urdf.",
+        here="The file is checked; the robot is not loaded, as in ROS.",
+        gazebo="ROS finds nothing that it can read, and says that the document is empty.",
+    )
 
 
 def _told(sheet: Sheet, fault: Fault, *, is_loaded: bool) -> Diagnostic:
@@ -67,6 +91,8 @@ def _told(sheet: Sheet, fault: Fault, *, is_loaded: bool) -> Diagnostic:
     if fault.other is not None and fault.other != fault.span:
         text = _OTHER_PLACE.get(fault.kind, "this belongs to it")
         related.append(sheet.related(fault.other, text))
+    if fault.kind is FaultKind.EMPTY:
+        return _empty(sheet, fault)
     return sheet.find(
         _E01,
         Severity.NOTE if _is_blank_line(sheet, fault) else Severity.ERROR,
@@ -76,6 +102,18 @@ def _told(sheet: Sheet, fault: Fault, *, is_loaded: bool) -> Diagnostic:
         here=_LOADED if is_loaded else _NOT_LOADED,
         gazebo=_ONLY_EXPAT if is_loaded else _REFUSED,
         related=related,
+    )
+
+
+def _empty(sheet: Sheet, fault: Fault) -> Diagnostic:
+    return sheet.find(
+        _E01,
+        Severity.ERROR,
+        fault.span,
+        what=fault.what,
+        remedy=f"{_sentence(fault.remedy)[:-1]}: {_URDF}",
+        here="There is no robot in it to load.",
+        gazebo="ROS refuses the file: it says that the document is empty.",
     )
 
 

@@ -12,7 +12,9 @@ function drawNames(paper, camera, frames, colors) {
     const [x, y] = at;
     paint.font = `${frame.isFixed ? "bold " : ""}13px system-ui, "DejaVu Sans", sans-serif`;
     const width = paint.measureText(frame.label).width;
-    const [left, middle] = freePlace(x, y, width, height, taken, camera.size[0]);
+    const place = freePlace(x, y, width, height, taken, camera.size);
+    if (!place) continue;  // nobody can read names on top of each other; nearer there is room
+    const [left, middle] = place;
     taken.push([left, middle, width]);
     if (Math.abs(middle - y) > 1.2 * height) {
       paint.strokeStyle = colors.grey;
@@ -30,11 +32,11 @@ function drawNames(paper, camera, frames, colors) {
   }
 }
 
-function freePlace(x, y, width, height, taken, room) {
-  const sides = x + 9 + width <= room ? [x + 9, x - 9 - width] : [x - 9 - width, x + 9];
+function freePlace(x, y, width, height, taken, size) {
+  const sides = x + 9 + width <= size[0] ? [x + 9, x - 9 - width] : [x - 9 - width, x + 9];
   const steps = [0, -1, 1, -2, 2, -3, 3, -4, 4, 5, 6, 7, 8];
   const tried = steps.flatMap((step) => sides.map((left) => [left, y + 10 + step * height]));
-  const isFree = ([left, middle]) =>
+  const isFree = ([left, middle]) => middle >= height / 2 && middle <= size[1] - height / 2 &&
     taken.every(([l, m, w]) => left >= l + w || l >= left + width || Math.abs(middle - m) >= height);
-  return tried.find(isFree) || tried[0];
+  return tried.find(isFree);
 }

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
 import html
 from typing import Any
 
 from simkit.errors import SimkitError
+from simkit.viz.by_hand.saved_still import SavedStill
 from simkit.viz.live_view import running_notebook
 
 BOX: dict[str, str] = {"border": "1px solid #bbb", "padding": "4px 8px", "width": "fit-content"}
@@ -30,10 +30,11 @@ def ipywidgets_for(what: str) -> Any:
 
 
 class NotebookWidgets:
-    """Shows the box `widget` in a notebook, and the text of `repr` where no kernel runs."""
+    """Shows the box `widget` in a notebook, and what `_repr_html_` says where no kernel runs."""
 
     message: Any = None
     """The label of the last fault, once it is built."""
+    _still: SavedStill | None = None
 
     @property
     def widget(self) -> Any:
@@ -50,9 +51,14 @@ class NotebookWidgets:
         lines = html.escape(repr(self))
         return f"<pre>{lines}</pre><small>The widgets need a running notebook.</small>"
 
-    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
-        bundle: dict[str, Any] = {"text/plain": repr(self), "text/html": self._repr_html_()}
-        if running_notebook() is not None:
-            with contextlib.suppress(SimkitError):
-                bundle = {**self.widget._repr_mimebundle_(), **bundle}
-        return bundle
+    def _ipython_display_(self) -> None:
+        if running_notebook() is None:
+            raise NotImplementedError  # IPython falls back to the text
+        self._still = self._still or SavedStill(self._repr_html_, self.__repr__)
+        self._still.show(self._widget_or_none())
+
+    def _widget_or_none(self) -> Any:
+        try:
+            return self.widget
+        except SimkitError:
+            return None

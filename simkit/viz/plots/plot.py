@@ -6,14 +6,12 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from simkit.errors import UnknownNameError
+from simkit.saving import save_as
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-FORMATS = (".pdf", ".png", ".svg")
-"""What `Plot.save` writes, by suffix."""
 LINE_COLORS: Final = (
     *("#2b6fe0", "#d92d2d", "#21913c", "#7a4fb5", "#b7791f"),
     *("#0f8a8a", "#c2418f", "#5b6b7d", "#7a5230", "#1d2733"),
@@ -62,16 +60,7 @@ class Plot:
         Raises:
             UnknownNameError: The suffix is another one.
         """
-        path = Path(path)
-        match path.suffix.lower():
-            case ".svg":
-                path.write_text(self.to_svg(), encoding="utf-8", newline="\n")
-            case ".png":
-                path.write_bytes(self.to_png())
-            case ".pdf":
-                path.write_bytes(self.to_pdf())
-            case suffix:
-                raise UnknownNameError("picture format", suffix, FORMATS)
+        save_as(path, {".pdf": self.to_pdf, ".png": self.to_png, ".svg": self.to_svg})
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.title!r})"

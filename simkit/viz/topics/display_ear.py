@@ -48,6 +48,11 @@ class DisplayEar:
         self._has_heard = False
         self._problem = ""
 
+    @property
+    def is_silent(self) -> bool:
+        """Whether no message has come yet."""
+        return not self._has_heard
+
     def hear(self, message: Any) -> None:
         """Take a message of the topic."""
         self._has_heard = True

@@ -48,8 +48,18 @@ class RvizEars:
             displays: What is shown.
             fixed_frame: The frame that everything is drawn in.
         """
-        ears = [self._ear(display, fixed_frame) for display in displays]
-        return tuple(trouble for ear in ears if (trouble := ear.trouble()))
+        found = [(one.topic, self._ear(one, fixed_frame)) for one in displays]
+        return tuple(
+            f"{trouble}{self._why_silent(topic) if ear.is_silent else ''}"
+            for topic, ear in found
+            if (trouble := ear.trouble())
+        )
+
+    def _why_silent(self, topic: str) -> str:
+        known = self._node.graph.topics.get(topic)
+        if known is None or not known.publishers:
+            return " Nobody publishes this topic."
+        return " It is listened to from the first view of it on: sim.run(0.2), and look again."
 
     def _ear(self, display: TopicDisplay, fixed_frame: str) -> DisplayEar:
         ear = self._ears.get((display, fixed_frame))

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Final
 
-from simkit.errors import UnknownNameError
+from simkit.saving import save_as
 from simkit.viz.page import inline_frame
 from simkit.viz.rviz_page import page_height, view_page
 from simkit.viz.scene_data import scene_data
@@ -67,10 +67,7 @@ class WorldReplay:
         Raises:
             UnknownNameError: The suffix is another one.
         """
-        path = Path(path)
-        if path.suffix.lower() != ".html":
-            raise UnknownNameError("replay format", path.suffix, [".html"])
-        path.write_text(self.to_html(), encoding="utf-8", newline="\n")
+        save_as(path, {".html": self.to_html}, kind="replay format")
 
     def __repr__(self) -> str:
         return f"WorldReplay({self.play.duration:.2f} s, {len(self.play.tracks)} links)"

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from pytransform3d.urdf import UrdfTransformManager
 
-from grader.checks.moved_robot import MovedRobot, require_joint
+from grader.checks.moved_robot import MovedRobot, SeenRobot, expect_to_follow, require_joint
 from grader.errors import CheckFailed
 from simkit import Simulation
 from simkit.urdf import read_robot
@@ -69,7 +69,7 @@ def test_what_cannot_be_measured_is_said(moved):
         moved.move(elbow=math.pi)
     with pytest.raises(CheckFailed, match="tf does not know where hand is"):
         moved.pose("hand")
-    with pytest.raises(CheckFailed, match="world is not one cylinder"):
+    with pytest.raises(CheckFailed, match="nothing is to be seen of world"):
         moved.ends("world")
 
 
@@ -78,3 +78,16 @@ def test_a_fixed_joint_cannot_be_moved():
     assert robot is not None
     with pytest.raises(CheckFailed, match="no joint hip"):
         require_joint(robot, "hip")
+
+
+def test_frames_that_follow_a_file_and_frames_that_do_not(moved):
+    moved.move(hip=0.4, shoulder=-0.3)
+    expect_to_follow(moved, ARM, "arm", hip=0.4, shoulder=-0.3)
+    with pytest.raises(CheckFailed, match="elsewhere than your file puts it"):
+        expect_to_follow(moved, ARM, "arm", hip=0.5, shoulder=-0.3)
+    other = ARM.replace('<axis xyz="0 1 0"/>', '<axis xyz="1 0 0"/>')
+    robot = read_robot(other, file="arm.urdf").robot
+    assert robot is not None
+    seen = SeenRobot(moved.sim, robot)
+    with pytest.raises(CheckFailed, match="rad turned"):
+        expect_to_follow(seen, other, "arm", hip=0.4, shoulder=-0.3)

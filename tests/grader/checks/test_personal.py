@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from grader.checks.personal import base_of, crate_of, name_of
+from grader.checks.personal import base_of, crate_of, name_of, pose_of
 from grader.errors import CheckFailed
 from grader.submission import Submission
 
@@ -43,6 +43,19 @@ def test_other_names_give_other_crates():
     assert len({repr(crate_of(f"student {number}")) for number in range(100)}) > 80
 
 
+@given(st.text())
+def test_any_name_gives_a_pose_that_is_not_plain(name):
+    task = pose_of(name)
+    assert task == pose_of(f" {name} ")
+    assert 0.4 <= abs(task.hip) < 1.3
+    assert 0.4 <= abs(task.shoulder) < 1.1
+    assert f"{task.hip:g} rad" in repr(task)
+
+
+def test_other_names_give_other_poses():
+    assert len({repr(pose_of(f"student {number}")) for number in range(100)}) > 90
+
+
 def submission(**answers) -> Submission:
     return Submission(student="s", exercise_id="3.6", files={}, answers=answers)
 
@@ -51,7 +64,7 @@ def test_the_name_is_an_answer():
     assert name_of(submission(student="Ada"), "student") == "Ada"
 
 
-@pytest.mark.parametrize("name", [7, "", "   ", ["Ada"], None])
+@pytest.mark.parametrize("name", [7, "", "   ", "...", ["Ada"], None])
 def test_what_is_no_name_is_refused(name):
     with pytest.raises(CheckFailed, match="student is not a name"):
         name_of(submission(student=name), "student")

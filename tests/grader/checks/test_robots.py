@@ -6,8 +6,11 @@ import pytest
 
 from grader.checks.robots import (
     RobotFiles,
+    cylinder_of,
     expect_chain,
+    expect_firm,
     expect_silver_cylinder,
+    joints_above,
     link_of,
     only_visual,
     slider_of,
@@ -93,6 +96,63 @@ def test_a_chain_and_a_silver_cylinder(tmp_path):
         expect_chain(robot, "world", "arm", "hand")
     with pytest.raises(CheckFailed, match="ength and radius of arm"):
         expect_silver_cylinder(robot, "arm", length=0.05, radius=0.4)
+
+
+def test_links_in_between_do_not_break_a_chain(tmp_path):
+    longer = ARM.replace(
+        '<joint name="j" type="fixed"><parent link="world"/>',
+        '<link name="footprint"/><joint name="i" type="fixed"><parent link="world"/>'
+        '<child link="footprint"/></joint><joint name="j" type="fixed"><parent link="footprint"/>',
+    )
+    robot = files(tmp_path, longer).robot("post.urdf")
+    expect_chain(robot, "world", "arm")
+    expect_chain(robot, "world", "footprint", "arm")
+    assert [joint.name for joint in joints_above(robot, "arm")] == ["j", "i"]
+    with pytest.raises(CheckFailed, match="he link that footprint hangs on"):
+        expect_chain(robot, "world", "arm", "footprint")
+
+
+def test_links_in_a_ring_end(tmp_path):
+    ring = ARM.replace(
+        "</robot>",
+        '<link name="a"/><link name="b"/>'
+        '<joint name="ab" type="fixed"><parent link="a"/><child link="b"/></joint>'
+        '<joint name="ba" type="fixed"><parent link="b"/><child link="a"/></joint></robot>',
+    )
+    robot = files(tmp_path, ring).robot("post.urdf")
+    assert [joint.name for joint in joints_above(robot, "a")] == ["ba", "ab"]
+
+
+def test_a_very_long_robot_is_climbed_as_well(tmp_path):
+    count = 5000
+    text = "".join(f'<link name="l{number}"/>' for number in range(count)) + "".join(
+        f'<joint name="j{number}" type="fixed"><parent link="l{number}"/><child link="l{number + 1}"/></joint>'
+        for number in range(count - 1)
+    )
+    robot = files(tmp_path, f'<robot name="long">{text}</robot>').robot("post.urdf")
+    assert len(joints_above(robot, f"l{count - 1}")) == count - 1
+
+
+def test_a_link_that_can_move_is_not_firm(tmp_path):
+    expect_firm(files(tmp_path, ARM).robot("post.urdf"), "arm")
+    moving = ARM.replace('type="fixed">', 'type="continuous"><axis xyz="0 0 1"/>')
+    with pytest.raises(CheckFailed, match="arm can move: the joint j above it is continuous"):
+        expect_firm(files(tmp_path, moving).robot("post.urdf"), "arm")
+
+
+def test_a_mark_beside_the_cylinder_is_let_be_and_a_second_cylinder_is_not(tmp_path):
+    marked = ARM.replace(
+        "</link>\n  <joint",
+        '<visual><geometry><sphere radius="0.1"/></geometry></visual></link>\n  <joint',
+    )
+    robot = files(tmp_path, marked).robot("post.urdf")
+    visual, shape = cylinder_of(robot, "arm")
+    assert len(robot.links["arm"].visuals) == 2
+    assert visual.geometry is shape
+    assert shape.length == 0.4
+    twice = marked.replace('<sphere radius="0.1"/>', '<cylinder length="1" radius="1"/>')
+    with pytest.raises(CheckFailed, match="arm is 2 cylinders"):
+        cylinder_of(files(tmp_path, twice).robot("post.urdf"), "arm")
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from simkit.urdf.rules import all_rules
+from simkit.cli.rule_book import rule_book
 
 CLEAN = """<?xml version="1.0"?>
 <robot name="arm">
@@ -192,6 +192,12 @@ def test_files_beside_it_are_checked_with_it(simkit, tmp_path):
     assert "no file 'nix.yaml'" in err
 
 
+def test_a_companion_alone_is_no_robot(simkit):
+    code, out, err = simkit("check_urdf", "a.launch")
+    assert (code, out) == (255, "")
+    assert err.startswith("simkit check_urdf: Expect URDF xml file to parse; a.launch is checked ")
+
+
 # -- JSON
 
 
@@ -212,7 +218,7 @@ def test_json_is_all_that_stands_on_standard_output(simkit):
 def test_the_rules_are_listed(simkit):
     code, out, err = simkit("check_urdf", "--list-rules")
     assert (code, err) == (0, "")
-    assert len(out.splitlines()) == len(all_rules())
+    assert len(out.splitlines()) == len(rule_book())
     assert out.splitlines()[0].split() == ["URDF-E01", "error", "not", "well-formed", "XML"]
 
 

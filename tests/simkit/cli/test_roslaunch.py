@@ -1,10 +1,13 @@
 """roslaunch: alone, with other terminals, and what it lists."""
 
+import io
 import signal
+import sys
 import textwrap
 import time
 
 import pytest
+import yaml
 
 SLEEPER = """
     import rospy
@@ -103,7 +106,8 @@ def test_what_roslaunch_refuses_is_told_in_both_layers(simkit, workspace):
         (("play", "ned.launch"), 1, "[ned.launch] is neither a launch file in package [play]"),
         (("nope.launch",), 1, "[nope.launch] is not a launch file name"),
         ((), 1, "which launch file?"),
-        (("play", "ends.launch", "a=1"), 1, "Write name:=value"),
+        (("play", "ends.launch", "a=1"), 1, "Write a:=1, with a colon"),
+        (("play", "ends.launch", "-v"), 1, "'-v' is no argument, and no option"),
         (("play", "ends.launch", "--for", "soon"), 2, "'soon' is not a number of seconds"),
         (("play", "ends.launch", "--args", "/x"), 1, "Cannot find node named [/x]"),
     ],
@@ -134,7 +138,10 @@ def test_a_required_node_takes_the_rest_with_it(simkit, workspace):
     code, out, _ = simkit("roslaunch", "play", "required.launch", "--fast")
     assert code == 1
     assert "REQUIRED process [e-2] has died!\nprocess has finished cleanly\nInitiating" in out
-    assert "[s-1] killing on exit" in out
+    assert out.endswith(
+        "[s-1] killing on exit\nshutting down processing monitor...\n"
+        "... shutting down processing monitor complete\ndone\n"
+    )
 
 
 def test_lists(simkit, workspace):
@@ -152,6 +159,57 @@ def test_lists(simkit, workspace):
     assert simkit("roslaunch", "--find-node", "/e", "play", "ends.launch")[1] == f"{launch}\n"
 
 
+STANDARD_INPUT = '<launch><arg name="a" default="1"/><param name="a" value="$(arg a)"/></launch>'
+
+
+@pytest.fixture
+def standard_input(monkeypatch):
+    """A function that puts bytes on standard input."""
+
+    def put(data):
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(data), encoding="utf-8"))
+
+    return put
+
+
+def test_a_launch_file_on_standard_input(simkit, workspace, standard_input):
+    standard_input(STANDARD_INPUT.encode())
+    assert simkit("roslaunch", "--dump-params", "-", "a:=2")[:2] == (0, "/a: 2\n\n")
+    standard_input(STANDARD_INPUT.encode())
+    code, out, _ = simkit("roslaunch", "-", "--for", "0.1")
+    assert code == 0
+    assert out.startswith("Passed '-' as file argument, attempting to read roslaunch XML from ")
+    assert f"... {len(STANDARD_INPUT)} bytes read successfully.\n" in out
+    assert " * /a: 1\n" in out
+
+
+@pytest.mark.parametrize(
+    ("data", "text"),
+    [
+        (b"", "standard input holds no launch file"),
+        (b"hello", "standard input holds no launch file"),
+        (b"<launch><node/></launch>", "<launch file>:1:10: error [LCH-E07]"),
+        (b"\xff<launch/>", "LCH-E04"),
+    ],
+)
+def test_what_is_no_launch_file_on_standard_input(simkit, workspace, standard_input, data, text):
+    standard_input(data)
+    code, _, err = simkit("roslaunch", "--nodes", "-")
+    assert code == 1
+    assert text in err
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_whoever_wants_an_end_gets_an_orderly_one(begin, workspace, number):
+    process = begin("roslaunch", "play", "stays.launch", folder=workspace.folder)
+    assert any(line == "awake /s\n" for line in iter(process.stdout.readline, ""))
+    process.send_signal(number)
+    out, err = process.communicate(timeout=60)
+    assert (process.returncode, err) == (0, "")
+    assert "[s-1] killing on exit\ngoodbye\n" in out
+    assert out.endswith("done\n")
+
+
 def test_ctrl_c_ends_all(begin, workspace):
     process = begin("roslaunch", "play", "stays.launch", folder=workspace.folder)
     lines = iter(process.stdout.readline, "")
@@ -166,7 +224,9 @@ def test_ctrl_c_ends_all(begin, workspace):
     )
 
 
-def test_a_launch_joins_the_simulation_of_another_terminal(simkit, begin, workspace, tmp_path):
+def test_a_launch_joins_the_simulation_of_another_terminal(
+    simkit, begin, workspace, tmp_path, monkeypatch, standard_input
+):
     core = begin("roscore", folder=workspace.folder)
     assert "Ctrl-C ends it" in core.stdout.readline()
     assert _wait(lambda: simkit("rosnode", "list")[0] == 0)
@@ -178,6 +238,16 @@ def test_a_launch_joins_the_simulation_of_another_terminal(simkit, begin, worksp
         "... shutting down processing monitor complete\n"
     )
     assert simkit("rosparam", "get", "/robot")[1] == "r2\n"
+    monkeypatch.chdir(tmp_path)  # rosparam's files are those of its own terminal
+    (tmp_path / "own.yaml").write_text("own: 1\n")
+    assert simkit("rosparam", "load", "own.yaml", "/mine")[:2] == (0, "")
+    assert simkit("rosparam", "set", "-t", "own.yaml", "/text")[0] == 0
+    assert simkit("rosparam", "dump", "dumped.yaml")[0] == 0
+    assert yaml.safe_load((tmp_path / "dumped.yaml").read_text())["mine"] == {"own": 1}
+    monkeypatch.chdir(workspace.folder)
+    standard_input(STANDARD_INPUT.encode())
+    assert simkit("roslaunch", "-", "a:=7")[0] == 0
+    assert simkit("rosparam", "get", "/a")[1] == "7\n"
     code, out, _ = simkit("roslaunch", "play/launch/ends.launch")
     assert (code, "ended\n" in out) == (0, True)
     joined = begin("roslaunch", "play", "stays.launch", folder=workspace.folder)
@@ -191,6 +261,18 @@ def test_a_launch_joins_the_simulation_of_another_terminal(simkit, begin, worksp
     assert _wait(lambda: simkit("rosnode", "list")[1] == "\n")
     core.send_signal(signal.SIGINT)
     assert core.wait(timeout=60) == 0
+
+
+def test_packages_are_those_of_the_terminal_that_asks(simkit, begin, workspace, tmp_path):
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    core = begin("roscore", folder=elsewhere)
+    assert "Ctrl-C ends it" in core.stdout.readline()
+    assert _wait(lambda: simkit("rosnode", "list")[0] == 0)
+    code, out, err = simkit("roslaunch", "play", "ends.launch")
+    assert (code, err) == (0, "")
+    assert "ended\n" in out
+    assert "ended\n" in simkit("rosrun", "play", "ender.py")[1]
 
 
 def test_without_nodes_it_stays_for_others_as_with_a_master_of_its_own(simkit, begin, workspace):

@@ -125,7 +125,7 @@ TEXTS = [
     (
         '<param name="a" type="foo" value="x"/>',
         "RLException: Invalid <param> tag: Unknown type 'foo'. \n\nParam xml is {xml}",
-        43,
+        31,
     ),
     (
         '<param name="a" textfile="/nope.urdf"/>',
@@ -166,12 +166,12 @@ TEXTS = [
         '<rosparam command="delete" file="x"/>',
         "RLException: error loading <rosparam> tag: \n\t'file' attribute is invalid with 'delete' "
         "command.\nXML is {xml}",
-        10,
+        42,
     ),
     (
         '<rosparam subst_value="maybe">a: 1</rosparam>',
         "RLException: invalid bool value for subst_value: maybe",
-        10,
+        32,
     ),
     # node
     (
@@ -197,12 +197,12 @@ TEXTS = [
     (
         f'<node {NODE} respawn="foo"/>',
         INVALID.format("<node>", "invalid bool value for respawn: foo", "Node") + "{xml}",
-        10,
+        50,
     ),
     (
         f'<node {NODE} respawn_delay="foo"/>',
         INVALID.format("<node>", "invalid float value for respawn_delay: foo", "Node") + "{xml}",
-        10,
+        56,
     ),
     (
         f'<node {NODE} respawn="true" required="true"/>',
@@ -319,6 +319,64 @@ def test_the_words_are_those_of_roslaunch(refusal, write, inner, words, column):
     assert re.match(r"LCH-E\d\d", error.diagnostic.rule)
 
 
+ATTRIBUTES = [
+    (f'<node {NODE} respawn="foo"/>', "foo"),
+    (f'<node {NODE} required="1"/>', "1"),
+    (f'<node {NODE} respawn_delay="soon"/>', "soon"),
+    (f'<node {NODE} clear_params="foo"/>', "foo"),
+    (f'<node {NODE} machine="m"/>', "m"),
+    ('<include file="$(find play)/b.launch" pass_all_args="foo"/>', "foo"),
+    ('<group ns="a" clear_params="foo"/>', "foo"),
+    ('<rosparam subst_value="foo">a: 1</rosparam>', "foo"),
+    ('<rosparam command="delete" param="a" file="b.yaml"/>', "b.yaml"),
+    ('<param name="a" type="foo" value="x"/>', "foo"),
+]
+
+
+@pytest.mark.parametrize(("inner", "value"), ATTRIBUTES, ids=[inner for inner, _ in ATTRIBUTES])
+def test_a_wrong_attribute_is_underlined(refusal, inner, value):
+    error = refusal(inner)
+    assert error.column == len("<launch>") + inner.index(f'"{value}"') + 2
+
+
+@pytest.mark.parametrize(
+    "inner", ['<group ns="~"/>', '<node ns="~" name="t" pkg="p" type="x"/>', '<param name=""/>']
+)
+def test_each_fault_has_a_line(refusal, inner):
+    error = refusal(f"\n{inner}")
+    assert (error.file, error.line) == ("play/a.launch", 2)
+    assert error.diagnostic.source.startswith(inner)
+
+
+@pytest.mark.parametrize("name", ["", "/"])
+def test_the_root_is_no_parameter(refusal, name):
+    error = refusal(f'<param name="{name}" value="1"/>')
+    assert error.said == ""
+    assert "would be the root of all parameters" in str(error)
+
+
+def test_a_machine_may_stand_behind_its_nodes(plan, refusal):
+    node = f'<node {NODE} machine="m"/>'
+    assert plan(f'{node}<machine name="m" address="x"/>').nodes
+    assert refusal(node).said == "RLException: ERROR: unknown machine [m]"
+    empty = f'<node {NODE} machine=" "/>'
+    assert "<node> 'machine' must be non-empty: [ ]" in refusal(empty).said
+
+
+def test_an_included_file_is_given_its_argument_by_the_include(refusal):
+    include = '<include file="$(find play)/needs.launch">{}</include>'
+    assert '<arg name="a" value="..."/> in the <include>' in refusal(include.format("")).remedy
+    slip = refusal(include.format('<arg name="A" value="1"/>'))
+    assert slip.remedy == "Write 'a' where 'A' is given, which nobody declares."
+
+
+def test_a_torn_tag_is_what_is_wrong_not_what_follows_from_it(packages):
+    text = '<launch>\n<node name="t" pkg="p" type="x>\n</launch>'
+    with pytest.raises(LaunchError) as caught:
+        evaluate(text, packages=packages)
+    assert caught.value.remedy == 'Write type="x".'
+
+
 SYNTAX = [
     ("<launch>\n<node></launch>", "mismatched tag: line 2, column 8", 2),
     (
@@ -390,6 +448,16 @@ def test_warnings_are_those_of_roslaunch(plan, write, inner, words):
         ('<machine name="a" address="b"/>', "LCH-W12", "Remove it here."),
         ('<env name="A" value="b"/>', "LCH-W12", "Use a <param>."),
         (f'<node {NODE} launch-prefix="gdb"/>', "LCH-W12", "Remove it here."),
+        (
+            '<param name="a b" value="1"/>',
+            "LCH-E07",
+            "Use letters, digits, _ and / only, a letter first.",
+        ),
+        (
+            '<param name="a" value="1"/>>',
+            "LCH-W16",
+            "Remove it, or make a comment of it: <!-- ... -->.",
+        ),
     ],
 )
 def test_a_file_that_works_is_taught_too(plan, inner, rule, remedy):
@@ -402,7 +470,9 @@ def test_an_argument_that_nobody_declares_is_told(plan):
     assert [one.what for one in found.diagnostics] == [
         "the argument 'sped' is given, but this file declares no such"
     ]
-    assert found.diagnostics[0].remedy == "It declares: speed."
+    assert found.diagnostics[0].remedy == "Did you mean speed:=?"
+    other = plan('<arg name="speed" default="1"/>', colour="red")
+    assert other.diagnostics[0].remedy == "It declares: speed."
 
 
 def test_a_fault_in_an_included_file_has_its_chain(refusal, write):
@@ -430,6 +500,29 @@ def test_a_fault_in_yaml_has_its_place(refusal, write):
     assert f"file {write.folder}/c.yaml contains invalid YAML:\n" in error.said
 
 
+def test_an_angle_has_its_place_and_its_remedy(refusal, write):
+    inline = refusal("\n<rosparam>\na: 1\nb: deg(pi)\n</rosparam>")
+    assert (inline.line, inline.column) == (4, 4)
+    assert "rad(pi/2)" in inline.remedy
+    write("c.yaml", "a: 1\nb: {c: rad(x)}\n")
+    error = refusal('<rosparam file="$(find play)/c.yaml"/>')
+    assert (error.file, error.line, error.column) == ("play/c.yaml", 2, 8)
+
+
+def test_a_substitution_in_yaml_has_its_place(refusal, write):
+    text = "a: 1\nb: $(optenv X y)\nc: $(arg nope)\n"
+    inline = refusal(f'<rosparam subst_value="true">\n{text}</rosparam>')
+    assert (inline.file, inline.line, inline.column) == ("play/a.launch", 4, 4)
+    write("c.yaml", text)
+    error = refusal('<rosparam subst_value="true" file="$(find play)/c.yaml"/>')
+    assert (error.file, error.line, error.column) == ("play/c.yaml", 3, 4)
+
+
+def test_a_word_with_a_colon_in_it_is_no_mapping(refusal):
+    assert refusal("<rosparam>speed:1</rosparam>").remedy == "Write speed: 1"
+    assert "param=" in refusal("<rosparam>3</rosparam>").remedy
+
+
 def test_near_names_are_offered(refusal, write):
     write("urdf/robot.urdf", "<robot/>")
     assert (
@@ -441,3 +534,35 @@ def test_near_names_are_offered(refusal, write):
     assert refusal(speed).remedy == "Did you mean $(arg speed)?"
     assert refusal('<param name="a" type="integer" value="1"/>').remedy == "Did you mean int?"
     assert refusal('<param name="a" value="$(findd play)"/>').remedy == "Did you mean $(find ...)?"
+
+
+@pytest.mark.parametrize(
+    ("inner", "remedy"),
+    [
+        ('<param name="a" valu="1"/>', "Write value= where valu= stands."),
+        ('<param name="a"/>', 'Write value="...", or textfile=, binfile= or command=.'),
+        ('<node pkg="p" exec="x" name="n"/>', "Write type= where exec= stands."),
+        ("<rosparam>{'': 1}</rosparam>", "Write a name."),
+        (
+            '<param name="a" textfile="urdf/robot.urdf"/>',
+            "Write $(find play)/urdf/robot.urdf: a relative path begins in the folder of the terminal.",
+        ),
+        (
+            '<rosparam file="urdf/robot.urdf"/>',
+            "Write $(find play)/urdf/robot.urdf: a relative path begins in the folder of the terminal.",
+        ),
+        (
+            '<param name="a" textfile="package://play/urdf/r.urdf"/>',
+            "Write $(find play)/urdf/r.urdf; package:// is for meshes of a URDF.",
+        ),
+    ],
+)
+def test_what_was_meant_is_proposed(refusal, write, inner, remedy):
+    write("urdf/robot.urdf", "<robot/>")
+    assert refusal(inner).remedy == remedy
+
+
+@pytest.mark.parametrize("name", ["./nope.yaml", "package://play/a", "a//b"])
+def test_a_path_is_quoted_as_it_is_written(refusal, name):
+    said = refusal(f'<param name="a" textfile="{name}"/>').said
+    assert said == f"FileNotFoundError: [Errno 2] No such file or directory: '{name}'"

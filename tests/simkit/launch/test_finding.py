@@ -35,6 +35,8 @@ def test_a_path_is_a_path(packages, write, monkeypatch):
             "Write the name of a package",
         ),
         (["nope.launch"], "[nope.launch] is not a launch file name", "PACKAGE FILE.launch"),
+        (["play"], "[play] is not a launch file name", "simkit roslaunch play a.launch."),
+        (["a.launch"], "[a.launch] is not a launch file name", "simkit roslaunch play a.launch."),
         (["nope.launch", "x:=1"], "[nope.launch] is not a launch file name", "PACKAGE FILE"),
         ([], "[] is not a launch file name", "PACKAGE FILE"),
     ],
@@ -70,5 +72,27 @@ def test_arguments_are_names_with_values():
         "c": "x:=y",
         "__name": "n",
     }
-    with pytest.raises(LaunchError, match="Write name:=value"):
-        given_arguments(["a=1"])
+
+
+@pytest.mark.parametrize(
+    ("words", "remedy"),
+    [
+        (["a"], "Write name:=value."),
+        (["a=1"], "Write a:=1, with a colon."),
+        (["a:=", "1"], "Write a:=1, without a blank."),
+        (["-v"], "simkit roslaunch --help lists the options."),
+        (["b.launch"], "Launch it in another terminal"),
+    ],
+)
+def test_a_word_that_is_no_argument(words, remedy):
+    with pytest.raises(LaunchError) as caught:
+        given_arguments(words)
+    assert caught.value.remedy.startswith(remedy)
+    assert caught.value.diagnostic.rule == "LCH-E13"
+
+
+def test_a_slip_in_a_path_is_named(packages, write):
+    folder = write("launch/a.launch", EMPTY).parent
+    with pytest.raises(LaunchError) as caught:
+        find_launch_file([str(folder / "aa.launch")], packages)
+    assert caught.value.remedy == "Did you mean a.launch, which is in that folder?"

@@ -131,8 +131,9 @@ def test_a_node_that_ends_is_told_and_the_launch_with_the_last_one(sim, launch):
     sim.run(1.0)
     assert not started.alive
     assert started.exit_code == 0
-    assert started.lines[-2:] == [
+    assert started.lines[-3:] == [
         "[bad-2] process has died [exit code 3, cmd play/ender.py _life:=2 __name:=bad].",
+        'what it printed last (its <node> has no output="screen"):\n    begin at 0.0',
         "all processes on machine have died, roslaunch will exit",
     ]
 
@@ -177,6 +178,71 @@ def test_required_ends_all(sim, launch):
         f"Initiating shutdown!\n{line}"
     ) in started.lines
     assert started.lines[-1] == "[a-1] killing on exit"
+
+
+def test_the_last_words_of_a_hidden_node_that_failed_are_told_once(sim, launch, package):
+    package("fails.py", "print('usage: fails FILE')\nimport sys\nsys.exit('no FILE')")
+    tag = '<node name="t" pkg="play" type="fails.py" {}/>'
+    running = launch(tag.format('respawn="true"'))
+    sim.run(1.0)
+    text = "\n".join(running.lines)
+    assert text.count("has died [exit code 1") > 1
+    assert text.count('what it printed last (its <node> has no output="screen"):') == 1
+    assert "\n    usage: fails FILE\n    no FILE" in text
+    running.shutdown()
+    shown = launch(tag.format('output="screen"'))
+    sim.run(1.0)
+    assert "what it printed last" not in "\n".join(shown.lines)
+
+
+READERS = [
+    ('<node name="n" pkg="robot_state_publisher" type="robot_state_publisher"/>', ""),
+    ('<node name="n" pkg="joint_state_publisher" type="joint_state_publisher"/>', ""),
+    (
+        '<node name="n" pkg="gazebo_ros" type="spawn_model" args="-urdf -param /a/arm -model r"/>',
+        "",
+    ),
+    (
+        '<param name="robot_descripton" value="x"/>'
+        '<node name="n" pkg="robot_state_publisher" type="robot_state_publisher"/>',
+        "Did you mean robot_descripton?",
+    ),
+    (
+        '<param name="robot_description" value="x"/>'
+        '<node name="n" pkg="robot_state_publisher" type="robot_state_publisher">'
+        '<remap from="robot_description" to="arm"/></node>',
+        "",
+    ),
+]
+
+
+@pytest.mark.parametrize(("inner", "remedy"), READERS)
+def test_a_robot_that_nobody_has_described_is_told_where_it_is_needed(launch, inner, remedy):
+    (line,) = [line for line in launch(inner).lines if "[LCH-E03]" in line]
+    assert line.startswith(f"play/launch/a.launch:1:{10 + inner.index('<node')}: warning ")
+    assert remedy in line
+
+
+@pytest.mark.parametrize(
+    "inner",
+    [
+        '<param name="robot_description" value="x"/>'
+        '<node name="n" pkg="robot_state_publisher" type="robot_state_publisher" ns="a"/>',
+        '<node name="n" pkg="robot_state_publisher" type="robot_state_publisher">'
+        '<param name="robot_description" value="x"/></node>',
+        '<node name="n" pkg="gazebo_ros" type="spawn_model" args="-urdf -file x -model r"/>',
+        '<node name="n" pkg="gazebo_ros" type="spawn_model" args="\'-param"/>',
+        '<node name="n" pkg="play" type="robot.py"/>',
+    ],
+)
+def test_a_robot_that_may_be_described_is_not_told(launch, inner):
+    assert "LCH-E03" not in "\n".join(launch(inner).lines)
+
+
+def test_a_robot_may_have_been_described_before(sim, launch):
+    sim.params.set("/robot_description", "x")
+    inner = '<node name="n" pkg="robot_state_publisher" type="robot_state_publisher"/>'
+    assert "LCH-E03" not in "\n".join(launch(inner).lines)
 
 
 def test_shutdown_ends_the_last_one_first(sim, launch):
@@ -302,6 +368,16 @@ def test_a_path_will_do(sim, write, monkeypatch):
     started = sim.roslaunch("launch/b.launch")
     assert started.plan.file == "launch/b.launch"
     assert sim.params.get("/a") == 1
+
+
+def test_a_text_will_do_and_is_not_the_next_one(sim):
+    first = sim.roslaunch('<launch><node name="a" pkg="turtlesim" type="turtlesim_node"/></launch>')
+    text = '<launch><arg name="n"/><node name="$(arg n)" pkg="turtlesim" type="turtlesim_node"/></launch>'
+    plan = sim.launch_plan(text, "n:=b")
+    assert (plan.file, plan.files, [node.name for node in plan.nodes]) == ("string", (), ["b"])
+    sim.roslaunch(text, "n:=b")
+    assert first.alive
+    assert {"/a", "/b"} <= set(sim.nodes())
 
 
 def test_a_plan_is_launched_as_it_is(sim, write):

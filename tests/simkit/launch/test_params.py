@@ -159,6 +159,27 @@ def test_xacro_that_is_needed_is_refused_with_a_way_out(refusal, write, body):
     assert "textfile=" in error.remedy
 
 
+@pytest.mark.parametrize(
+    ("command", "what"),
+    [
+        ("cat", "cat without a file would wait for ever"),
+        ("cat $(find play)/a.txt | grep x", "| is for a shell"),
+        ("cat $(find play)/a.txt > b", "> is for a shell"),
+    ],
+)
+def test_what_only_a_shell_understands_is_told(refusal, write, command, what):
+    write("a.txt", "x")
+    error = refusal(f"<param name='a' command='{command.replace('>', '&gt;')}'/>")
+    assert error.diagnostic.what.startswith(what)
+    assert "returned with code [1]" in error.said
+
+
+def test_a_long_text_that_is_no_number_is_not_told_whole(refusal, write):
+    write("a.txt", "word " * 1000)
+    error = refusal('<param name="a" type="int" textfile="$(find play)/a.txt"/>')
+    assert len(error.diagnostic.what) < 80
+
+
 def test_no_program_is_run(refusal, tmp_path):
     trap = tmp_path / "trap"
     for command in (f"touch {trap}", f"cat /dev/null; touch {trap}", f"sh -c 'touch {trap}'"):

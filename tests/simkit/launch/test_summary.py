@@ -65,6 +65,11 @@ def test_lists(found, write, packages, package):
     assert command_of_node_text(found, "a", packages) == "turtlesim/turtlesim_node __name:=a\n"
 
 
+def test_an_empty_value_is_a_value(plan):
+    found = plan('<arg name="a" value=""/><arg name="b" default=""/><arg name="c"/>')
+    assert [one.name for one in found.arguments] == ["b", "c"]
+
+
 def test_no_arguments(plan):
     assert arguments_text(plan("")) == "No arguments.\n"
 

@@ -13,7 +13,7 @@ import pytest
 from simkit.live import Session, SessionError, call, find_session
 
 HOST = """
-    import sys
+    import os, sys
     from simkit import Simulation
     from simkit.live import DoneJob, Host, NodeJob
 
@@ -21,7 +21,11 @@ HOST = """
         return NodeJob(sim, sim.rosrun(*argv))
 
     sim = Simulation(package_path=[sys.argv[1]], screen=None)
-    commands = {"rosrun": rosrun, "time": lambda sim, argv: DoneJob(f"{sim.now.to_sec():.3f}\\n")}
+    commands = {
+        "rosrun": rosrun,
+        "time": lambda sim, argv: DoneJob(f"{sim.now.to_sec():.3f}\\n"),
+        "where": lambda sim, argv: DoneJob(os.getcwd()),
+    }
     print("up", flush=True)
     Host(sim, commands).serve(lambda: False)
     sim.close()
@@ -93,6 +97,25 @@ def test_two_terminals_at_once(host, package):
     for thread in threads:
         thread.join(timeout=30)
     assert results == [(0, "0\n1\n2\n3\n4\n")] * 2
+
+
+def test_a_command_is_done_in_the_folder_of_its_terminal(host, tmp_path, monkeypatch):
+    for name in ("one", "two"):
+        (tmp_path / name).mkdir()
+        monkeypatch.chdir(tmp_path / name)
+        assert say("where") == (0, str(tmp_path / name))
+    with monkeypatch.context() as patch:
+        patch.setattr("pathlib.Path.cwd", lambda: tmp_path / "gone")
+        with pytest.raises(SessionError, match="gone"):
+            say("where")
+    assert say("time")[0] == 0
+
+
+@pytest.mark.usefixtures("host")
+def test_a_program_writes_its_files_where_it_was_started(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert say("rosrun", "tf2_tools", "view_frames.py")[0] == 0
+    assert {"frames.gv", "frames.pdf"} <= {file.name for file in tmp_path.iterdir()}
 
 
 def test_errors_are_one_sentence(host):

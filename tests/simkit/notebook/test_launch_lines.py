@@ -43,6 +43,28 @@ def test_the_summary_and_what_nodes_say_stand_below_the_line(cells):
     assert shown[5].out.split() == ["/bob", "/shy"]
 
 
+def test_lists_start_nothing(cells):
+    shown = cells(
+        WRITE.format(LAUNCH),
+        "%roslaunch hello_ros talk.launch --nodes",
+        "%roslaunch --dump-params hello_ros talk.launch mood:=great",
+        "%roslaunch hello_ros talk.launch --args bob",
+        "%rosnode list",
+        talker=TALKER,
+    )
+    assert shown[1].out == "/bob\n/shy\n"
+    assert shown[2].out == "/speed: 2.5\n\n"
+    assert shown[3].out.endswith("talker.py _mood:=fine __name:=bob\n")
+    assert shown[4].out.strip() == ""
+
+
+def test_help_is_no_error(cells):
+    (shown,) = cells("%roslaunch -h")
+    assert shown.ok
+    assert shown.out.startswith("usage: %roslaunch [OPTIONS] PACKAGE FILE [NAME:=VALUE]\n")
+    assert "--dump-params" in shown.out
+
+
 def test_a_cell_that_is_run_again_replaces_its_nodes(cells):
     shown = cells(
         WRITE.format(LAUNCH),
@@ -72,6 +94,11 @@ def test_a_silent_simulation_shows_the_launch_too(cells):
     ("line", "texts"),
     [
         ("%roslaunch", ["usage: %roslaunch PACKAGE FILE"]),
+        (
+            "%roslaunch hello_ros talk.launch mood=good",
+            ["Write mood:=good, with a colon.", "LCH-E13"],
+        ),
+        ("%roslaunch hello_ros talk.launch --args tom", ["Cannot find node named [/tom]"]),
         (
             "%roslaunch hello_ros tlk.launch",
             ["RLException: [tlk.launch] is neither a launch file", "Did you mean talk.launch"],

@@ -109,3 +109,37 @@ def test_a_file_that_is_no_mapping(refusal, tmp_path):
     file = tmp_path / "list.yaml"
     file.write_text("[1, 2]")
     assert "global / can only be set to a dictionary" in refusal("rosparam", "load", str(file))[0]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (b"a: 1\nb: [1\nc: 2\n", ":3:2: not YAML: expected ',' or ']'"),
+        (b"a: deg(x)\n", ":1:4: invalid degree value: deg(x)"),
+        (b"a: 2020-02-31\n", "not YAML: day is out of range for month"),
+        (b"\xff\xfe", "is not a text in UTF-8"),
+        (b"a: 1\nb: ~\n", "ERROR: /b: a parameter cannot be empty (null)"),
+        (b"a: 1\nb: [3000000000]\n", "ERROR: /b: 3000000000 is too large"),
+        (b"a: 1\nb: 2020-01-01\n", "ERROR: /b: 2020-01-01 is a date in YAML"),
+        (b"a: 1\nb: {1: 2}\n", "YAML dictionaries must have string keys"),
+        (b"a: &a [*a]\n", "unfolds to more than"),
+        (b"a: " + b"[" * 200 + b"]" * 200, "unfolds to more than"),
+        (b"a: &a {k: 1, l: 2}\n" + b"".join(
+            b"%c: &%c {%s}\n" % (new, new, b", ".join(b"k%d: *%c" % (n, old) for n in range(9)))
+            for old, new in zip(b"abcdefg", b"bcdefgh", strict=True)
+        ), "unfolds to more than"),
+    ],
+)  # fmt: skip
+def test_a_file_that_cannot_be_loaded_changes_nothing(sim, refusal, tmp_path, text, words):
+    before = sim.params.get("/")
+    file = tmp_path / "a.yaml"
+    file.write_bytes(text)
+    said = refusal("rosparam", "load", str(file))[0]
+    assert words in said
+    assert sim.params.get("/") == before
+
+
+def test_files_that_cannot_be_read_or_written(refusal, tmp_path):
+    (tmp_path / "b").write_bytes(b"\xff")
+    assert "not a text in UTF-8" in refusal("rosparam", "set", "-t", str(tmp_path / "b"), "/a")[0]
+    assert "cannot be written" in refusal("rosparam", "dump", str(tmp_path / "no" / "f"))[0]

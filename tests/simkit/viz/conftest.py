@@ -23,6 +23,7 @@ from simkit.nodes import builtin_nodes
 from simkit.tf import Buffer
 from simkit.tf.transformations import quaternion_from_euler
 from simkit.urdf import load_robot
+from simkit.viz.by_hand import notebook_widgets, saved_still
 from simkit.viz.robot_solids import RobotShapes, robot_shapes
 
 START = 1_600_088_400
@@ -407,3 +408,38 @@ def run_in_page(browse: Callable[..., str], tmp_path: Path) -> Callable[..., Any
         return found["answer"]
 
     return run
+
+
+class Notebook:
+    """A kernel, as far as widgets talk to it."""
+
+    def __init__(self) -> None:
+        self.shown: list[dict[str, Any]] = []
+        self.updates: list[dict[str, Any]] = []
+        self._calls: list[Callable[[], None]] = []
+        self.events = self
+
+    def register(self, event: str, call: Callable[[], None]) -> None:
+        assert event == "post_run_cell"
+        self._calls.append(call)
+
+    def end_cell(self) -> None:
+        for call in self._calls:
+            call()
+
+    def display(self, bundle: dict[str, Any], *, raw: bool) -> None:
+        self.shown.append(bundle)
+
+    def update(self, bundle: dict[str, Any], *, raw: bool) -> None:
+        self.updates.append(bundle)
+
+
+@pytest.fixture
+def notebook(monkeypatch: pytest.MonkeyPatch) -> Notebook:
+    """Widgets believe that they are in this notebook."""
+    made = Notebook()
+    for module in (notebook_widgets, saved_still):
+        monkeypatch.setattr(module, "running_notebook", lambda: made)
+    monkeypatch.setattr("IPython.display.display", made.display)
+    monkeypatch.setattr("IPython.display.DisplayHandle", lambda: made)
+    return made

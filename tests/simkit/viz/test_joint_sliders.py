@@ -4,12 +4,11 @@ import gc
 import math
 import sys
 import weakref
-from types import SimpleNamespace
 
 import pytest
 
 from simkit import SimkitError, Simulation, UnknownNameError
-from simkit.viz import JointSliders, joint_sliders
+from simkit.viz import JointSliders
 from simkit.viz.kernel_loop import KernelLoop
 
 ROBOT = """<robot name="r"><link name="a"/><link name="b"/><link name="c"/><link name="d"/>
@@ -228,28 +227,49 @@ def test_without_a_notebook_there_is_a_table_and_a_line_of_python(sim):
     assert text[0] == "Node: /joint_state_publisher_gui"
     assert text[1].split() == ["hip", "0.500", "rad", "=", "28.6°"]
     assert text[-1].strip() == 'From Python: sim.joint_sliders().set_position("hip", 0.5)'
-    bundle = sliders._repr_mimebundle_()
-    assert sorted(bundle) == ["text/html", "text/plain"]
-    assert "<th>hip</th><td>0.500 rad = 28.6°</td>" in bundle["text/html"]
-    assert "<th>lift&lt;</th>" in bundle["text/html"]
+    text = sliders._repr_html_()
+    assert "<th>hip</th><td>0.500 rad = 28.6°</td>" in text
+    assert "<th>lift&lt;</th>" in text
+    assert '<img alt="The robot with hip 0.500 rad' in text
+    with pytest.raises(NotImplementedError):
+        sliders._ipython_display_()  # so that IPython shows the text
     with pytest.raises(UnknownNameError):
         sliders.set_position("hop", 0.5)
 
 
-def test_in_a_notebook_there_are_widgets_and_the_table_for_later(sim, monkeypatch):
-    monkeypatch.setattr(joint_sliders, "running_notebook", SimpleNamespace)
+def test_in_a_notebook_there_are_widgets_and_behind_them_a_still_for_later(sim, notebook):
     sliders = sim.joint_sliders()
-    bundle = sliders._repr_mimebundle_(include=None, exclude=None)
-    view = bundle["application/vnd.jupyter.widget-view+json"]
-    assert view["model_id"] == sliders.widget.model_id
-    assert "Node: /joint_state_publisher_gui" in bundle["text/html"]
-    assert bundle["text/plain"] == repr(sliders)
+    sliders._ipython_display_()
+    view, still = notebook.shown
+    assert view["application/vnd.jupyter.widget-view+json"]["model_id"] == sliders.widget.model_id
+    assert sliders._repr_html_() in still["text/html"]
+    notebook.end_cell()
+    assert notebook.updates == []
+    sliders.set_position("hip", 0.25)
+    notebook.end_cell()
+    (update,) = notebook.updates
+    assert "0.250 rad" in update["text/html"]
+    assert update["text/plain"] == repr(sliders)
 
 
-def test_without_ipywidgets_a_notebook_shows_the_table(sim, monkeypatch):
-    monkeypatch.setattr(joint_sliders, "running_notebook", SimpleNamespace)
+def test_without_ipywidgets_a_notebook_shows_the_table(sim, notebook, monkeypatch):
     monkeypatch.setitem(sys.modules, "ipywidgets", None)
     sliders = sim.joint_sliders()
-    assert sorted(sliders._repr_mimebundle_()) == ["text/html", "text/plain"]
+    sliders._ipython_display_()
+    (still,) = notebook.shown
+    assert sliders._repr_html_() in still["text/html"]
     with pytest.raises(SimkitError, match="pip install ipywidgets"):
         assert sliders.widget
+
+
+def test_the_line_of_python_names_a_position_that_the_slider_has(sim):
+    joint = '<joint name="hip" type="revolute"><parent link="a"/><child link="b"/>{}</joint>'
+    limit = '<limit lower="0.00001" upper="0.00004" effort="1" velocity="1"/>'
+    sim.params.set(
+        "/robot_description",
+        f'<robot name="r"><link name="a"/><link name="b"/>{joint.format(limit)}</robot>',
+    )
+    sim.rosrun(*START)
+    sliders = sim.joint_sliders()
+    _, _, value = repr(sliders).rpartition(", ")
+    sliders.set_position("hip", float(value.rstrip(")")))

@@ -42,10 +42,17 @@ def listen(server, *, until, changes=lambda: None):
             heard.append(json.loads(text))
             if len(heard) == 1:
                 changes()
-        viewer.close()
+        await leave(viewer)
         return heard
 
     return asyncio.run(run())
+
+
+async def leave(viewer):
+    """Close a web socket, and wait until it is closed: what is left open is a warning later."""
+    viewer.close()
+    while await asyncio.wait_for(viewer.read_message(), WAIT) is not None:
+        pass
 
 
 def eventually(holds):
@@ -72,15 +79,32 @@ def test_the_page_is_for_those_who_know_the_secret(server):
         refused.value.close()
 
 
+def test_a_name_that_was_made_to_lead_here_is_not_answered(server):
+    def ask(host):
+        headers = {"Host": f"{host}:{server.port}"}
+        asked = urllib.request.Request(server.url, headers=headers)
+        with urllib.request.urlopen(asked, timeout=WAIT) as answer:
+            return answer.status
+
+    assert ask("LOCALHOST") == ask("127.0.0.1") == 200
+    with pytest.raises(urllib.error.HTTPError, match="404") as refused:
+        ask("evil.example")
+    refused.value.close()
+
+
 @pytest.mark.parametrize(
-    ("change", "status"), [("token", 404), ("origin", 403)], ids=["no secret", "a foreign page"]
+    ("change", "status"),
+    [("token", 404), ("origin", 403), ("host", 404)],
+    ids=["no secret", "a foreign page", "a name from elsewhere"],
 )
 def test_the_socket_is_for_them_too(server, change, status):
     url, headers = server.socket_url, {}
     if change == "token":
         url = f"ws://127.0.0.1:{server.port}/wrong/socket"
-    else:
+    elif change == "origin":
         headers["Origin"] = "http://evil.example"
+    else:
+        headers["Host"] = f"evil.example:{server.port}"
     with pytest.raises(HTTPClientError) as refused:
         asyncio.run(_connect(HTTPRequest(url, headers=headers)))
     assert refused.value.code == status
@@ -143,8 +167,9 @@ def test_there_is_an_end_to_hospitality(server, monkeypatch):
         while await asyncio.wait_for(viewers[2].read_message(), WAIT) is not None:
             pass
         code = viewers[2].close_code
+        viewers.pop().close()
         for viewer in viewers:
-            viewer.close()
+            await leave(viewer)
         return code
 
     assert asyncio.run(crowd()) == FULL

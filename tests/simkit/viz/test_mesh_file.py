@@ -3,6 +3,7 @@ from __future__ import annotations
 import struct
 
 import pytest
+import trimesh
 
 from simkit.urdf.mesh_file import MeshError
 from simkit.viz import mesh_file
@@ -65,13 +66,32 @@ def test_a_file_reads_no_other_file(tmp_path):
         ("a.stl", b"", "broken|no triangles"),
         ("a.stl", b"solid of nothing", "broken|no triangles"),
         ("a.obj", b"f 1 2 3\n", "broken|no triangles"),
-        ("a.dae", b"<COLLADA/>", "lacks what .dae needs|broken"),
+        ("a.dae", b"<COLLADA/>", "pip install pycollada|broken"),
     ],
 )
 def test_what_is_no_mesh_is_refused_with_a_reason(tmp_path, name, data, words):
     (tmp_path / name).write_bytes(data)
     with pytest.raises(MeshError, match=words):
         read_mesh(tmp_path / name, (1, 1, 1))
+
+
+@pytest.mark.parametrize(
+    ("head", "metres"),
+    [
+        (b'<unit name="centimeter" meter="0.01"/>', 0.01),
+        (b"<unit meter = '2.54e-2' name='inch'/>", 0.0254),
+        (b'<unit name="meter"/><p meter="3"/>', 1.0),
+        (b"<up_axis>Y_UP</up_axis>", 1.0),
+    ],
+)
+def test_the_unit_of_a_collada_file_counts_as_in_rviz(tmp_path, monkeypatch, head, metres):
+    def load(file, **_):
+        return trimesh.Trimesh(CORNERS, FACES, process=False)
+
+    monkeypatch.setattr(trimesh, "load_mesh", load)  # as with pycollada, which minds no unit
+    (tmp_path / "a.dae").write_bytes(b"<COLLADA><asset>" + head + b"</asset></COLLADA>")
+    mesh = read_mesh(tmp_path / "a.dae", (1, 1, 2))
+    assert mesh.high == pytest.approx((metres, 2 * metres, 6 * metres))
 
 
 def test_a_file_that_is_not_there_and_one_that_is_too_long(tmp_path, monkeypatch):

@@ -36,7 +36,7 @@ def test_numbers_that_json_lacks_are_refused():
 def test_a_page_inside_another_keeps_every_letter():
     text = page({"name": NASTY.replace("\ud800", "")})
     frame = inline_frame(text, title='a "title"', height=300)
-    assert frame.count("<") == 2
+    assert frame.count("<iframe") == frame.count("<script>") == frame.count("</script>") == 1
     (source,) = re.findall(r'srcdoc="([^"]*)"', frame)
     assert html.unescape(source) == text
     assert 'sandbox="allow-scripts"' in frame

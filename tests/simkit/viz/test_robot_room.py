@@ -16,7 +16,7 @@ def room(joint, more=""):
     </visual></link>
     <joint name="j" {joint}<parent link="a"/><child link="b"/></joint>{more}</robot>"""
     shapes = robot_shapes(load_robot(text, file="r.urdf"))
-    return robot_room(shapes.model, shapes.solids)
+    return robot_room(shapes.models[0], shapes.solids)
 
 
 def bounds(points):
@@ -43,10 +43,10 @@ def test_a_robot_that_does_not_move_takes_its_own_room():
 
 
 def test_there_are_few_points_and_always_the_same(arm):
-    points = robot_room(arm.model, arm.solids)
-    assert points == robot_room(arm.model, arm.solids)
+    points = robot_room(arm.models[0], arm.solids)
+    assert points == robot_room(arm.models[0], arm.solids)
     assert 8 <= len(points) <= 26
 
 
 def test_nothing_to_see_takes_no_room(arm):
-    assert robot_room(arm.model, ()) == ()
+    assert robot_room(arm.models[0], ()) == ()

@@ -4,6 +4,7 @@ import pytest
 
 from simkit.errors import SimkitError
 from simkit.viz import RvizSettings
+from simkit.viz.robot_description import RobotDisplay
 from simkit.viz.rviz_config import read_config
 
 WHOLE = """
@@ -75,3 +76,13 @@ def test_what_is_no_configuration_is_refused_in_one_line(tmp_path, text, words):
 def test_a_file_that_is_not_there(tmp_path):
     with pytest.raises(SimkitError, match=r"cannot read .*none\.rviz: No such file"):
         read_config(tmp_path / "none.rviz")
+
+
+def test_each_robot_has_a_prefix_of_its_own(tmp_path):
+    assert read(tmp_path).robots == (RobotDisplay(),)
+    two = read(
+        tmp_path,
+        "Visualization Manager: {{Displays: [{{Class: rviz/RobotModel, TF Prefix: left, "
+        "Robot Description: left/robot_description}}, {{Class: rviz/RobotModel}}]}}",
+    )
+    assert two.robots == (RobotDisplay("/left/robot_description", "left"), RobotDisplay())

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -77,7 +78,7 @@ def test_a_link_in_another_tree_is_named_once(arm_frames, arm):
 
 
 def test_why_there_is_no_robot_is_a_problem(turtles):
-    scene = make_scene(turtles, fixed_frame="world", robot=RobotShapes(error="URDF is empty"))
+    scene = make_scene(turtles, fixed_frame="world", robot=RobotShapes(errors=("URDF is empty",)))
     assert scene.problems == ("URDF is empty",)
     assert scene.solids == ()
 
@@ -99,7 +100,7 @@ def test_the_camera_sees_the_whole_robot(arm_frames, arm):
 
 def test_the_camera_sees_the_room_of_a_robot_where_its_root_stands(arm_frames, arm):
     arm_frames.put("map", "world", static=True, xyz=(5, 0, 0))
-    scene = make_scene(arm_frames, fixed_frame="map", robot=arm, room=[(0, 0, 3)])
+    scene = make_scene(arm_frames, fixed_frame="map", robot=arm, room={"world": [(0, 0, 3)]})
     x, y = on_paper(scene.stage.camera.seen((5, 0, 3)), (720.0, 450.0))
     assert 0 <= x <= 720
     assert 0 <= y <= 450
@@ -110,3 +111,24 @@ def test_corners_are_those_of_the_box_around_a_shape(arm):
     assert {tuple(round(v, 9) for v in corner) for corner in corners(base, None)} == set(
         itertools.product((-0.1, 0.1), (-0.1, 0.1), (0.0, 0.05))
     )
+
+
+def test_a_robot_whose_prefix_was_forgotten_is_told_so(buffer, arm):
+    buffer.put("world", "left/torso", static=True)
+    (problem,) = [
+        p for p in make_scene(buffer, fixed_frame="world", robot=arm).problems if "torso" in p
+    ]
+    assert problem == (
+        "No transform from [torso] to [world]: no node broadcasts this link, "
+        "but there is [left/torso]: the TF Prefix 'left' may be missing."
+    )
+
+
+def test_a_robot_without_shapes_of_the_kind_that_is_shown_is_no_riddle(arm_frames, arm):
+    def notes(robot):
+        displays = Displays(robot=Role.COLLISION)
+        return make_scene(arm_frames, fixed_frame="world", robot=robot, displays=displays).notes
+
+    assert notes(arm) == ()
+    bare = replace(arm, solids=tuple(s for s in arm.solids if s.role is Role.VISUAL))
+    assert notes(bare) == ("The robot has no collision shapes, only visual ones.",)

@@ -4,7 +4,7 @@ import pytest
 
 from simkit.graph.params import ParameterServer
 from simkit.packages import PackagePath
-from simkit.viz import RvizSettings, SceneSource, scene_source
+from simkit.viz import RvizSettings, SceneSource, robot_displays, scene_source
 
 ROBOT = '<robot name="r"><link name="turtle1"><visual><geometry><sphere radius="1"/></geometry></visual></link></robot>'
 
@@ -50,10 +50,10 @@ def test_the_robot_is_read_again_only_when_its_description_has_changed(
 
 def test_another_parameter_and_no_robot(turtles, parameters):
     parameters.set("/arm/description", ROBOT.replace("turtle1", "turtle2"))
-    other = source(turtles, parameters, description="arm/description")
+    other = source(turtles, parameters, robots=robot_displays("arm/description"))
     assert other.robot().links == ("turtle2",)
-    missing = source(turtles, parameters, description="/nothing").robot()
-    assert missing.error.startswith("Parameter [/nothing] does not exist")
+    missing = source(turtles, parameters, robots=robot_displays("/nothing")).robot()
+    assert missing.errors[0].startswith("Parameter [/nothing] does not exist")
     assert source(turtles, parameters, robot_model=None).robot() is None
 
 
@@ -106,3 +106,31 @@ def test_a_complaint_about_the_settings_is_the_first_problem(two_trees, paramete
 def test_frames_are_those_of_the_scene(two_trees, parameters):
     watched = source(two_trees, parameters, fixed_frame="map")
     assert watched.frames() == watched.scene().tf
+
+
+def test_two_robots_stand_each_in_the_frames_of_its_prefix(buffer, parameters, arm_text):
+    buffer.put("world", "left/base_link", static=True, xyz=(0, 1, 0))
+    buffer.put("world", "right/base_link", static=True, xyz=(0, -1, 0))
+    for side in ("left", "right"):
+        parameters.set(f"/{side}/robot_description", arm_text)
+    robots = robot_displays(
+        {"/left/robot_description": "left", "/right/robot_description": "right"}
+    )
+    watched = SceneSource(
+        RvizSettings(robots=robots),
+        buffer=buffer,
+        parameters=parameters,
+        packages=PackagePath([]),
+        with_room=True,
+    )
+    scene = watched.scene()
+    assert {s.solid.link: round(s.pose()[0][1]) for s in scene.solids if not s.is_lost} == {
+        "left/base_link": 1,
+        "right/base_link": -1,
+    }
+    assert watched.robot() is watched.robot()
+    assert (
+        "No transform from [left/torso] to [world]: no node broadcasts this link." in scene.problems
+    )
+    parameters.delete("/right/robot_description")
+    assert watched.scene().problems[0].startswith("Parameter [/right/robot_description] does not")

@@ -36,3 +36,14 @@ def test_one_place_and_no_place_give_a_stage_of_a_metre(buffer):
     for stage in (empty, one):
         assert 0.1 <= stage.cell <= 1.0
         assert stage.camera.distance > 1.0
+
+
+def test_the_axes_of_many_frames_are_shorter(buffer):
+    def axis(count):
+        for number in range(1, count):
+            buffer.put("world", f"f{number}", xyz=[number / count, 0, 0])
+        buffer.put("world", "last", xyz=[1, 0, 0])
+        return stage_for(tf_scene(buffer, fixed_frame="world")).axis_length
+
+    few, many = axis(10), axis(100)
+    assert many < few / 2

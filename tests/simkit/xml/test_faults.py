@@ -228,8 +228,7 @@ def test_several_faults_are_all_found_in_the_order_of_the_text():
 def test_a_file_that_is_cut_off_has_one_fault_wherever_it_is_cut():
     for end in range(len(ROBOT) - 2):
         text = ROBOT[:end]
-        faults = [one for one in read(text).faults if one.kind is not FaultKind.EMPTY]
-        assert len(faults) == (1 if text.strip() not in ("", '<?xml version="1.0"?>') else 0), text
+        assert len(read(text).faults) == 1, text
 
 
 def test_all_that_is_open_at_the_end_of_a_file_is_named():
@@ -265,9 +264,43 @@ def test_nothing_at_all():
         assert read(text).root is None
 
 
-def test_text_without_an_element():
-    kinds = {one.kind for one in read("print('hello')").faults}
-    assert kinds == {FaultKind.EMPTY, FaultKind.STRAY_TEXT}
+@pytest.mark.parametrize(
+    "text",
+    [
+        "print('hello')",
+        "if a < b:\n    print('x & y')\n",
+        "arm_controller:\n  joints: [hip]\n",
+        "404: Not Found",
+        "PK\x03\x04\x14 & <",
+    ],
+)
+def test_text_without_a_tag_is_one_fault(text):
+    (fault,) = read(text).faults
+    assert fault.kind is FaultKind.EMPTY
+    assert fault.what == "this is no XML: there is no tag in it"
+
+
+def test_a_faulty_declaration_that_swallows_the_file_is_the_fault_not_what_is_missing_behind_it():
+    (fault,) = read('<?xml version="1.0"\n').faults
+    assert fault.kind is not FaultKind.EMPTY
+
+
+def test_a_conflict_that_git_has_left_is_one_fault():
+    text = '<robot name="r">\n<<<<<<< HEAD\n  <link name="a"/>\n=======\n  <link name="b"/>\n>>>>>>> x\n</robot>'
+    (fault,) = read(text).faults
+    assert (fault.kind, fault.span) == (FaultKind.CONFLICT, Span(2, 1, 12))
+    assert "<<<<<<<, ======= and >>>>>>>" in fault.remedy
+
+
+@pytest.mark.parametrize("line", range(2, 18))
+def test_a_line_that_stands_there_twice_is_one_fault_if_it_opens_or_closes(line):
+    lines = ROBOT.split("\n")
+    document = read("\n".join(lines[: line + 1] + lines[line:]))
+    kinds = [one.kind for one in document.faults]
+    assert kinds in ([], [FaultKind.STRAY_END], [FaultKind.DOUBLED_TAG])
+    if kinds:
+        assert document.faults[0].span.line == line + 2
+        assert sketch(document.root) == sketch(read(ROBOT).root)
 
 
 def test_nothing_in_a_message_moves_a_terminal():

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from simkit.urdf import reading
+
 
 def test_without_a_robot_it_says_so_and_leaves(stage):
     node = stage.start()
@@ -31,6 +33,17 @@ def test_a_robot_that_is_refused_is_told_with_its_place(stage):
     assert "Error reading end tag" in node.output
     (error,) = stage.said("ERROR")
     assert error.startswith("robot_description:6:")
+
+
+def test_a_robot_that_is_refused_is_read_once_too(stage, monkeypatch):
+    read = []
+    original = reading.parse_xml
+    monkeypatch.setattr(
+        reading, "parse_xml", lambda *args, **more: read.append(1) or original(*args, **more)
+    )
+    stage.load(stage.arm.replace('<link name="hand"/>', '<link name="torso"/>'))
+    assert stage.start().exit_code == 1
+    assert len(read) == 1
 
 
 def test_what_urdfdom_loses_is_told_and_the_rest_is_published(stage):

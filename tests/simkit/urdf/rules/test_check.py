@@ -92,6 +92,18 @@ def test_a_large_file_of_one_fault_takes_no_time(part):
     assert len(finds(text)) < 20 * MOST_FINDS
 
 
+def test_many_attributes_and_many_materials_take_no_time():
+    # Comparing each with each, as these rules once did, would take hours.
+    attributes = " ".join(f'a{number}=""' for number in range(20_000))
+    assert len(finds(robot(f'<link name="a" {attributes}/>'))) < 2 * MOST_FINDS
+    visual = '<visual><geometry><box size="1 1 1"/></geometry><material name="m{n}"/></visual>'
+    visuals = "".join(visual.format(n=number) for number in range(4000))
+    told = [
+        one for one in finds(robot(f'<link name="a">{visuals}</link>')) if one.rule == "URDF-W22"
+    ]
+    assert told[-1].what.endswith("and 3980 more like it")
+
+
 def test_a_long_chain_and_deep_nesting_are_no_trouble():
     links = [f'<link name="a{number}"/>' for number in range(1500)]
     joints = [

@@ -217,6 +217,13 @@ def test_weak_wheels(told, torque, friction, words):
     assert told(weak(mended, friction), "GZ-W04") == []
 
 
+def test_a_torque_that_is_not_read_is_no_reason_not_to_move(told):
+    (one,) = told(car(diff(extra="<torque>0.1</torque>")), "GZ-W04")
+    assert one.severity is Severity.NOTE
+    assert one.what.endswith("if it is read")
+    assert "5 N m is the default of <wheelTorque>" in one.gazebo
+
+
 @pytest.mark.parametrize(("torque", "friction"), [("0.2", 0.0), ("", 1.0), ("x", 0.0)])
 def test_wheels_that_are_strong_enough(told, torque, friction):
     assert told(weak(torque, friction), "GZ-W04") == []

@@ -97,7 +97,7 @@ def test_a_description_that_is_not_there(told, inside, line, what, remedy):
 
 
 def test_another_robot_is_loaded(told):
-    (one,) = told(ROBOT, "LCH-I06", launch=launch(PARAM.replace("robot.urdf", "robot_2.urdf")))
+    (one,) = told(ROBOT, "LCH-I15", launch=launch(PARAM.replace("robot.urdf", "robot_2.urdf")))
     assert (one.severity, one.span.line) == (Severity.NOTE, 2)
     assert "'robot_2.urdf', not 'robot.urdf'" in one.what
 

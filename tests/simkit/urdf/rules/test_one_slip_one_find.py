@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from simkit.diagnostics import Diagnostic, Severity
+from simkit.packages import PackagePath
 from simkit.urdf.rules import check_robot
 from simkit.xml import parse_xml
 
@@ -52,6 +53,43 @@ def test_one_slip_is_one_find(slip):
 def test_an_end_tag_twice_is_one_find(tag):
     for match in re.finditer(tag, ARM):
         assert len(finds(ARM[: match.end()] + tag + ARM[match.end() :])) == 1
+
+
+def test_a_start_tag_twice_is_one_find():
+    for match in re.finditer(r"<(?!robot)\w[^<>]*[^/?]>", ARM):
+        (one,) = finds(ARM[: match.end()] + "\n" + match[0] + ARM[match.end() :])
+        assert one.rule == "URDF-E01"
+        assert one.what.endswith("stands here a second time, and only one of the two is closed")
+
+
+def test_a_lost_gazebo_is_one_find():
+    block = '<gazebo reference="torso">\n<material>Gazebo/Red</material>\n<mu1>1</mu1>\n</gazebo>\n'
+    text = ARM.replace("</robot>", f"{block}</robot>")
+    assert finds(text) == []
+    (one,) = finds(text.replace('<gazebo reference="torso">\n', ""))
+    assert one.what == "</gazebo> closes nothing: no <gazebo> is open here"
+
+
+def test_meshes_of_a_package_that_is_not_there_are_one_find(tmp_path):
+    mesh = '<geometry><mesh filename="package://far_away/meshes/{}.stl"/></geometry>'
+    numbers = iter(range(100))
+    text = re.sub(
+        r"<geometry>.*?</geometry>", lambda _: mesh.format(next(numbers)), ARM, flags=re.S
+    )
+    count = next(numbers)
+    found = check_robot(parse_xml(text, file="arm.urdf"), packages=PackagePath([tmp_path]))
+    (one,) = [one for one in found if one.rule == "URDF-E18"]
+    assert one.severity is Severity.WARNING
+    assert f"nor {count - 1} more of that package: no package 'far_away'" in one.what
+
+
+@pytest.mark.parametrize("written", ["xzy", "zyx", "ryp", "pry"])
+def test_letters_that_changed_places_are_one_slip(written):
+    meant = "xyz" if "x" in written else "rpy"
+    (one,) = [
+        one for one in finds(ARM.replace(f" {meant}=", f" {written}=", 1)) if one.rule == "URDF-W17"
+    ]
+    assert one.remedy.startswith(f'Did you mean {meant}="')
 
 
 def test_two_slips_are_two_finds():

@@ -2,12 +2,10 @@ from __future__ import annotations
 
 import gc
 import weakref
-from types import SimpleNamespace
 
 import pytest
 
 from simkit import SimkitError, Simulation, UnknownNameError
-from simkit.viz.by_hand import notebook_widgets
 from simkit.viz.by_hand.teleop_pad import TICK, TeleopPad
 
 
@@ -242,13 +240,14 @@ def test_a_live_view_is_beside_the_buttons(sim):
     assert beside.value.startswith("<iframe")
 
 
-def test_without_a_kernel_it_is_a_text(sim, monkeypatch):
+def test_without_a_kernel_it_is_a_text(sim, notebook):
     pad = sim.teleop("/turtle1/cmd_vel")
     assert "/turtle1/cmd_vel" in repr(pad)
     assert "pad.press(&#x27;up&#x27;)" in pad._repr_html_()
-    assert sorted(pad._repr_mimebundle_()) == ["text/html", "text/plain"]
-    monkeypatch.setattr(notebook_widgets, "running_notebook", SimpleNamespace)
-    assert "application/vnd.jupyter.widget-view+json" in pad._repr_mimebundle_()
+    pad._ipython_display_()
+    view, still = notebook.shown
+    assert "application/vnd.jupyter.widget-view+json" in view
+    assert pad._repr_html_() in still["text/html"]
 
 
 def test_a_pad_does_not_keep_its_simulation():

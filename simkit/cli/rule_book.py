@@ -1,0 +1,58 @@
+"""All rules whose ids simkit prints, and what there is to know of each: `--explain ID` and `--list-rules`."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TypeAlias
+
+from simkit.cli.complaint import USAGE_ERROR, complain
+from simkit.diagnostics import MetRule, Rule
+from simkit.errors import near_names
+
+AnyRule: TypeAlias = Rule | MetRule
+"""A rule that is looked for in a file, or one that is met when the file is used."""
+_GROUPS = ("URDF", "GZ", "CTL", "LCH", "LAS", "SDF")
+
+
+@cache
+def rule_book() -> tuple[AnyRule, ...]:
+    """All rules, by id within their group: robots, their simulation, launch files, worlds."""
+    from simkit.launch import explanations as of_launch_files
+    from simkit.physics.sdf import explanations as of_worlds
+    from simkit.urdf.rules import all_rules
+
+    return tuple(sorted((*all_rules(), *of_launch_files.RULES, *of_worlds.RULES), key=_place))
+
+
+def list_text() -> str:
+    """What `--list-rules` prints: a line for each rule."""
+    width = max(len(rule.id) for rule in rule_book())
+    return "\n".join(
+        f"{rule.id:<{width}}  {rule.severity.value:<7}  {rule.title}" for rule in rule_book()
+    )
+
+
+def explain(name: str, *, program: str) -> int:
+    """Print what there is to know of a rule; the exit code.
+
+    Args:
+        name: Its id, or only its letter and number; upper or lower case.
+        program: Who complains if there is none.
+    """
+    wanted = name.strip().strip("[]").upper()
+    found = [rule for rule in rule_book() if wanted in (rule.id, rule.id.partition("-")[2])]
+    if not found:
+        near = near_names(wanted, [rule.id for rule in rule_book()]) if len(wanted) < 40 else []
+        meant = f"; did you mean {' or '.join(near)}?" if near else "; --list-rules lists them"
+        return complain(program, f"no rule {name!r}{meant}", USAGE_ERROR)
+    print("\n\n".join(map(_explanation, found)))
+    return 0
+
+
+def _explanation(rule: AnyRule) -> str:
+    return f"{rule.id} ({rule.severity.value}): {rule.title}\n\n{rule.explanation}"
+
+
+def _place(rule: AnyRule) -> tuple[int, str]:
+    group, _, number = rule.id.partition("-")
+    return _GROUPS.index(group), number[1:]
