@@ -190,35 +190,23 @@ def expect_the_tip(submission, answer, *, hip, shoulder):
 
 def slip_in(told, hip, shoulder):
     """What went wrong, if it is one of the usual slips; else an empty text."""
-    x, y, z = arm_at(hip, shoulder)[1]
-    reach, rise = 0.4 * math.cos(shoulder), -0.4 * math.sin(shoulder)
-    back, aside = 0.1 * math.sin(hip), -0.1 * math.cos(hip)
-    slips = {
-        (x, y, z - 0.05): "The base is forgotten: it lifts all by 0.05 m.",
-        (
-            x,
-            y,
-            z - 0.5,
-        ): "These heights count from the shoulder: it is 0.45 m up the torso, on a base of 0.05 m.",
-        (
-            x - back,
-            y - aside,
-            z,
-        ): "The shoulder is beside the torso, not in it: 0.1 m to the right.",
-        arm_at(hip, -shoulder)[1]: "A positive angle of the shoulder LOWERS the arm.",
-        arm_at(-hip, shoulder)[
-            1
-        ]: "A positive angle of the hip turns the torso to the LEFT, seen from above.",
-        (reach, -0.1, 0.5 + rise): "Here the shoulder has turned, but not the hip.",
-        arm_at(hip, shoulder)[0]: "That is where the shoulder is; the tip is 0.4 m farther on.",
-        arm_at(math.radians(hip), math.radians(shoulder))[
-            1
-        ]: "The angles are in radians, not in degrees.",
-    }
-    for place, words in slips.items():
-        if is_near(told, place) and not is_near(told, (x, y, z)):
-            return words
-    return ""
+    base, tip = arm_at(hip, shoulder)
+    x, y, z = tip
+    unturned = (0.4 * math.cos(shoulder), -0.1, z)
+    central = (x - 0.1 * math.sin(hip), y + 0.1 * math.cos(hip), z)
+    in_degrees = arm_at(math.radians(hip), math.radians(shoulder))[1]
+    slips = (
+        (tip, ""),
+        ((x, y, z - 0.05), "The base is forgotten: it lifts all by 0.05 m."),
+        ((x, y, z - 0.5), "This height counts from the shoulder, which is 0.45 m up the torso."),
+        (central, "The shoulder is beside the torso, not in it: 0.1 m to the right."),
+        (arm_at(hip, -shoulder)[1], "A positive angle of the shoulder LOWERS the arm."),
+        (arm_at(-hip, shoulder)[1], "A positive angle of the hip turns LEFT, seen from above."),
+        (unturned, "Here the shoulder has turned, but not the hip."),
+        (base, "That is where the shoulder is; the tip is 0.4 m farther on."),
+        (in_degrees, "The angles are in radians, not in degrees."),
+    )
+    return next((words for place, words in slips if is_near(told, place)), "")
 
 
 def is_near(told, place):

@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from simkit.errors import UnknownNameError, near_names
+from simkit.errors import UnknownNameError
 from simkit.launch.budget import MAX_FILE_BYTES, Budget
+from simkit.launch.missing_file import how_to_name, torn_find
 from simkit.launch.refusal import Kind, Lesson, Refused, ours
 from simkit.launch.rules import FILE, SUBSTITUTION
 from simkit.nodes import builtin_nodes
@@ -18,6 +19,7 @@ XACRO = "xacro"
 """A package of which only its program counts, and only as the command of a parameter."""
 OF_ROS = frozenset({"controller_manager", "gazebo_plugins", "gazebo_ros_control", "rviz"})
 """Packages of ROS that robots' launch files name; those with nodes in the kit are known besides."""
+_IN_PACKAGES = "Keep what belongs to a package in its folder, and name it by $(find PACKAGE)/...."
 
 
 class Files:
@@ -72,7 +74,7 @@ class Files:
             raise ours(
                 FILE,
                 f"the file {name!r} lies outside of the packages",
-                "Keep what belongs to a package in its folder, and name it by $(find PACKAGE)/....",
+                torn_find(name) or _IN_PACKAGES,
             )
         try:
             size = Path(name).stat().st_size
@@ -139,25 +141,8 @@ class Files:
 
     def missing(self, name: str) -> Lesson:
         """What to say of a file that is not there."""
-        remedy = "Write the path of a file that is there, best as $(find PACKAGE)/folder/file."
-        if found := self._in_a_package(name):
-            remedy = f"Write {found}: a relative path begins in the folder of the terminal."
-        elif name.startswith("package://"):
-            path = name.removeprefix("package://").replace("/", ")/", 1)
-            remedy = f"Write $(find {path}; package:// is for meshes of a URDF."
-        elif near := near_names(Path(name).name, _neighbours(Path(name))):
-            remedy = f"Did you mean {' or '.join(near)}, which is in that folder?"
+        remedy = how_to_name(name, self.packages.values())
         return Lesson(rule=FILE, what=f"there is no file {self.shown(name)!r}", remedy=remedy)
-
-    def _in_a_package(self, name: str) -> str | None:
-        """How to name a file whose path begins in a package; None if there is none."""
-        if not name or Path(name).is_absolute():
-            return None
-        for package in self.packages.values():
-            path = package.folder / name
-            if self.may_read(path) and path.is_file():
-                return f"$(find {package.name})/{name}"
-        return None
 
     def _unreadable(self, name: str, error: OSError | ValueError) -> Refused:
         lesson = Lesson(
@@ -175,10 +160,3 @@ def _as_written(error: OSError | ValueError, name: str) -> str:
     if not isinstance(error, OSError) or error.errno is None:
         return str(error)
     return f"[Errno {error.errno}] {error.strerror}: {name!r}"
-
-
-def _neighbours(path: Path) -> list[str]:
-    try:
-        return sorted(child.name for child in path.parent.iterdir())[:1000]
-    except OSError:
-        return []

@@ -17,6 +17,7 @@ from simkit.launch.values import TYPES, convert
 
 _ATTRIBUTES = ("name", "value", "type", "textfile", "binfile", "command")
 _SOURCES = ("value", "textfile", "binfile", "command")
+_OTHER_WORDS = {"file": ["textfile"], "default": ["value"]}
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +83,7 @@ def _how_to_have_one(tag: Tag, count: int) -> str:
     if count:
         return "Keep one of value=, textfile=, binfile=, command=."
     for attribute in tag.element.attributes:
-        near = near_names(attribute.name, _SOURCES)
+        near = _OTHER_WORDS.get(attribute.name) or near_names(attribute.name, _SOURCES)
         if attribute.name not in _ATTRIBUTES and near:
             return f"Write {near[0]}= where {attribute.name}= stands."
     return 'Write value="...", or textfile=, binfile= or command=.'
