@@ -9,6 +9,7 @@ from grader.checks.answers import given_answer, words_of
 from grader.checks.robots import RobotFiles, expect_chain
 from grader.checks.swinging_arm import SwingingArm
 from grader.checks.weights import expect_collision_as_visual, expect_cylinder_weight
+from simkit.diagnostics import Severity
 
 ROBOT = "hello_gazebo_robot_1.urdf"
 LAUNCH = "spawn_gazebo_1.launch"
@@ -32,12 +33,19 @@ def arm(sim, robots):
 
 @points(1)
 def test_check_urdf_takes_your_robot(robots):
-    """check_urdf finds nothing wrong with hello_gazebo_robot_1.urdf: a chain from world to upper_arm."""
-    robots.expect_clean(ROBOT)
+    """ROS accepts hello_gazebo_robot_1.urdf: a chain from world to upper_arm."""
+    robots.expect_clean(ROBOT, severity=Severity.ERROR)
     expect_chain(robots.robot(ROBOT), "world", *CYLINDERS)
 
 
-@points(2)
+@points(1)
+@after("test_check_urdf_takes_your_robot")
+def test_check_urdf_finds_nothing_wrong(robots):
+    """check_urdf has no warning about hello_gazebo_robot_1.urdf either."""
+    robots.expect_clean(ROBOT)
+
+
+@points(1)
 @after("test_check_urdf_takes_your_robot")
 def test_each_link_has_its_weight(robots):
     """Each link weighs 1 kg, in the middle of its cylinder, and is as hard to turn as a full cylinder is."""

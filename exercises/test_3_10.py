@@ -80,7 +80,6 @@ def test_the_arm_holds_and_goes_where_it_is_told(sim, launched):
 
 
 @points(1)
-@after("test_check_urdf_takes_your_robot")
 def test_the_lower_arm_has_its_shape_and_weight(robots):
     """The lower arm is a cylinder as the other links are: 0.3 m long, radius 0.05 m, silver, solid, 1 kg."""
     robot = robots.robot(ROBOT)
