@@ -50,9 +50,10 @@ MAY_IMPORT = {
     "simkit.simulating": "simkit.errors simkit.graph simkit.gazebo simkit.packages simkit.physics "
     "simkit.running simkit.urdf",
     "simkit.launch": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
-    "simkit.urdf simkit.urdf.rules simkit.packages simkit.nodes simkit.running simkit.tools",
+    "simkit.urdf simkit.urdf.rules simkit.packages simkit.nodes simkit.running simkit.tools simkit.xacro",
     "simkit.launching": "simkit.graph simkit.launch simkit.packages simkit.running simkit.simulating",
     "simkit.packages": "simkit.errors simkit.record",
+    "simkit.xacro": "simkit.errors simkit.packages",
     "simkit.new_package": "simkit.errors simkit.msgs simkit.nodes simkit.packages",
     "simkit.recording": "simkit.errors simkit.msgs simkit.graph",
     "simkit.running": "simkit.graph simkit.nodes simkit.packages",
@@ -123,6 +124,7 @@ LIBRARIES = {
     "dartpy": ("", "simkit.physics"),
     "meshcat": ("simkit.viz", ""),
     "trimesh": ("", "simkit.urdf.mesh_file"),
+    "xacro": ("", "simkit.xacro.child"),
     "tornado": ("simkit.viz.live_server", ""),
     "ipywidgets": ("", "simkit.viz"),
     "rosbags": ("", "simkit.msgs.generate"),

@@ -94,6 +94,12 @@ _COMMANDS = (
         module="simkit.cli.check_urdf",
     ),
     Command(
+        name="xacro",
+        summary="make a URDF of a file with macros",
+        group=_ROBOTS,
+        module="simkit.cli.xacro",
+    ),
+    Command(
         name="rosmsg",
         summary="show and list message types",
         group=_LOOK_UP,

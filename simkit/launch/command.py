@@ -1,4 +1,4 @@
-"""`command=` of a parameter: no program is run and no shell is asked; what `cat` and `xacro` would say is worked out.
+"""`command=` of a parameter: no shell is asked, and no program is run but xacro; what `cat` would say is worked out.
 
 Source: roslaunch splits the command like a shell, runs it, and takes what it prints.
 """
@@ -16,6 +16,11 @@ from simkit.launch.rules import COMMAND
 
 _XACRO_TAG = re.compile(r"<\s*xacro:|\$\{|\$\((?:arg|find|eval|env|optenv|dirname|cwd)\b")
 _XACRO_OPTIONS = ("--inorder", "-i", "--inord", "-v")
+_BANNER = re.compile(r"(?:<!-- [=|].*[=|] -->\n)+")
+"""What xacro puts first: it has the path of the file in it, which differs from machine to machine."""
+_HAND_IN = (
+    "Make a URDF of it, simkit xacro FILE > robot.urdf, hand that in, and load it by textfile=."
+)
 _OF_SHELLS = ("|", "||", "&", "&&", ";", "<", ">", ">>", "2>&1")
 UNDERSTOOD = "cat FILE, echo WORDS and xacro FILE"
 
@@ -93,15 +98,21 @@ class _Command:
             what = f"this use of xacro is not understood: {' '.join(self._words)}"
             raise self._fails(2, what, "Write xacro FILE.")
         text = self._file(names[0])
-        if _XACRO_TAG.search(text):
-            shown = self._files.shown(names[0])
-            what = f"{shown} is written in xacro, which simkit does not have"
-            remedy = (
-                "Make a URDF of it once, with ROS or with pip install xacro: xacro "
-                f"{PurePosixPath(shown).name} > robot.urdf; then load that by textfile=."
-            )
-            raise self._fails(1, what, remedy)
-        return CommandOutput(text=text, source=Path(names[0]))
+        if not _XACRO_TAG.search(text):
+            return CommandOutput(text=text, source=Path(names[0]))
+        if self._files.confined:
+            what = f"{self._files.shown(names[0])} has macros, and xacro is not run on what was handed in"
+            raise self._fails(1, what, _HAND_IN)
+        return CommandOutput(text=self._expanded(arguments))
+
+    def _expanded(self, arguments: list[str]) -> str:
+        from simkit.xacro import XacroError, run_xacro
+
+        try:
+            text = run_xacro(arguments, packages=self._files.path).text
+        except XacroError as error:
+            raise self._fails(error.exit_code, f"xacro: {error}", "Mend that file.") from None
+        return _BANNER.sub("", text, count=1)
 
     def _file(self, name: str) -> str:
         if name in _OF_SHELLS:

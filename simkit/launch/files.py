@@ -31,7 +31,8 @@ class Files:
     """
 
     def __init__(self, packages: PackagePath, budget: Budget) -> None:
-        self._path = packages
+        self.path = packages
+        """Where packages are."""
         self._packages: dict[str, Package] | None = None
         self._budget = budget
 
@@ -39,13 +40,13 @@ class Files:
     def packages(self) -> dict[str, Package]:
         """The packages by name, as they were when they were first asked for."""
         if self._packages is None:
-            self._packages = self._path.packages()
+            self._packages = self.path.packages()
         return self._packages
 
     @property
     def confined(self) -> bool:
         """Whether all that is no package is out of reach."""
-        return self._path.confined
+        return self.path.confined
 
     def find_package(self, name: str) -> Path:
         """Folder of a package.
@@ -57,7 +58,7 @@ class Files:
             return self.packages[name].folder
         if name == XACRO or (name.isidentifier() and (KNOWN / name).is_dir()):
             return KNOWN / name
-        places = "".join(f"\nROS path [{n}]={path}" for n, path in enumerate(self._path.folders))
+        places = "".join(f"\nROS path [{n}]={path}" for n, path in enumerate(self.path.folders))
         raise Refused(Kind.NOT_FOUND, f"{name}{places}", self._no_package(name))
 
     def read(self, name: str, limit: int = MAX_FILE_BYTES) -> bytes:
@@ -105,7 +106,7 @@ class Files:
 
     def may_read(self, name: str | Path) -> bool:
         """Whether a file is within reach."""
-        if self._path.may_read(name):
+        if self.path.may_read(name):
             return True
         try:
             return Path(name).resolve().is_relative_to(KNOWN.resolve())
@@ -124,7 +125,7 @@ class Files:
 
     def _no_package(self, name: str) -> Lesson:
         try:
-            self._path.find(name)
+            self.path.find(name)
             what = f"the package {name!r} cannot be found"
         except UnknownNameError as error:
             what = str(error)

@@ -129,7 +129,7 @@ def unexpanded_xacro(sheet: Sheet) -> Iterator[Diagnostic]:
         attribute or element,
         element=element,
         what=f"{what} is for xacro, which has not been run on this file{more}",
-        remedy=f'Make a URDF of it: xacro {shown(name)} > {shown(urdf)}; in a launch file command="xacro ...".',
+        remedy=f'Make a URDF of it: simkit xacro {shown(name)} > {shown(urdf)}; in a launch file command="xacro ...".',
         here="No other rule looks at this file.",
         gazebo="ROS ignores xacro's elements, and takes ${...} and $(...) as they are: for names, and for numbers that are none.",
     )

@@ -127,3 +127,12 @@ def test_the_launch_file_itself_must_be_in_a_package(package, secret):
         pytest.raises(LaunchError, match="LCH-E08"),
     ):
         sim.roslaunch(secret / "s.launch")
+
+
+def test_macros_that_were_handed_in_are_not_computed(confined, write):
+    write("robot.xacro", "<robot name='${1 + 1}'/>")
+    text = "<launch><param name='a' command='xacro $(find play)/robot.xacro'/></launch>"
+    with pytest.raises(LaunchError) as refused:
+        evaluate(text, packages=confined)
+    assert "xacro is not run on what was handed in" in refused.value.diagnostic.what
+    assert "simkit xacro FILE > robot.urdf" in refused.value.remedy

@@ -148,15 +148,41 @@ def test_texts_of_files_and_commands(plan, write):
     }
 
 
+XACRO = "<robot name='arm' xmlns:xacro='http://ros.org/wiki/xacro'>{}</robot>"
+
+
+def test_xacro_makes_a_urdf_whatever_folder_it_is_in(plan, write):
+    write("sizes.xacro", XACRO.format("<xacro:property name='length' value='${0.2 * 2}'/>"))
+    write(
+        "robot.xacro",
+        XACRO.format(
+            "<xacro:arg name='name' default='none'/><xacro:include filename='$(find play)/sizes.xacro'/>"
+            "<link name='$(arg name)_${length}'/>"
+        ),
+    )
+    found = plan('<param name="a" command="xacro --inorder $(find play)/robot.xacro name:=tip"/>')
+    assert dict(found.params) == {
+        "/a": '<?xml version="1.0" ?>\n<robot name="arm">\n  <link name="tip_0.4"/>\n</robot>\n'
+    }
+
+
 @pytest.mark.parametrize(
-    "body", ["<xacro:property name='a' value='1'/>", "<link name='${prefix}_base'/>", "$(arg x)"]
+    ("body", "what"),
+    [
+        ("<link name='${prefix}_base'/>", "name 'prefix' is not defined"),
+        ("<link name='$(arg x)'/>", "Undefined substitution argument x"),
+        ("<xacro:arm/>", "unknown macro name: xacro:arm"),
+        ("<xacro:include filename='$(find paly)/x'/>", "there is no package 'paly'"),
+        ("<xacro:property name='a' value='1'>", "mismatched tag: line 1"),
+    ],
 )
-def test_xacro_that_is_needed_is_refused_with_a_way_out(refusal, write, body):
-    write("robot.xacro", f"<robot xmlns:xacro='http://ros.org/wiki/xacro'>{body}</robot>")
+def test_what_xacro_refuses_is_told(refusal, write, body, what):
+    write("robot.xacro", XACRO.format(body))
     error = refusal('<param name="a" command="xacro $(find play)/robot.xacro"/>')
     assert error.diagnostic.rule == "LCH-E02"
-    assert "play/robot.xacro is written in xacro" in str(error)
-    assert "textfile=" in error.remedy
+    assert "returned with code [2]" in str(error)
+    assert what in error.diagnostic.what
+    assert "\n" not in error.diagnostic.what
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,42 @@
+"""`simkit xacro`: the URDF that a file with macros stands for.
+
+Source: xacro of ROS, options and words.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from simkit.cli.complaint import complain
+from simkit.packages import PATH_VARIABLE, PackagePath
+from simkit.xacro import XacroError, run_xacro
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """File, arguments, options: those of xacro itself."""
+    parser.usage = "simkit xacro [OPTIONS] FILE [NAME:=VALUE]"
+    parser.epilog = (
+        "Prints the URDF. NAME:=VALUE sets an argument of the file, <xacro:arg>. $(find PACKAGE) finds the "
+        f"packages below this folder and in {PATH_VARIABLE}."
+    )
+    parser.add_argument("-o", metavar="FILE", help="write the URDF into a file instead")
+    parser.add_argument("--deps", action="store_true", help="print which files are included")
+    parser.add_argument("-i", "--inorder", action="store_true", help="has no effect any more")
+    parser.add_argument("-q", action="store_true", help="no warnings")
+    parser.add_argument("words", metavar="FILE", nargs="+")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Print the URDF, and on standard error what xacro has to say."""
+    flags = [f"--{name}" for name in ("deps", "inorder") if getattr(arguments, name)]
+    flags += ["-q"] if arguments.q else []
+    flags += [] if arguments.o is None else ["-o", arguments.o]
+    try:
+        output = run_xacro([*flags, *arguments.words], packages=PackagePath())
+    except XacroError as error:
+        return complain("simkit xacro", str(error), error.exit_code)
+    if output.messages:
+        print(output.messages, file=sys.stderr)
+    sys.stdout.write(output.text)
+    return 0
