@@ -142,7 +142,7 @@ class Files:
 
     def missing(self, name: str) -> Lesson:
         """What to say of a file that is not there."""
-        remedy = how_to_name(name, self.packages.values())
+        remedy = how_to_name(name, self.packages.values(), may_read=self.may_read)
         return Lesson(rule=FILE, what=f"there is no file {self.shown(name)!r}", remedy=remedy)
 
     def _unreadable(self, name: str, error: OSError | ValueError) -> Refused:

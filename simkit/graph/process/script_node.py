@@ -269,6 +269,7 @@ class ScriptNode:
             return
         self.alive = False
         self._start_event.cancel()
+        self._turns.cancel()
         if self._link is not None and self._process is not None:
             self.exit_code = self._process.end(kill=kill)
             self._collect_last_output()

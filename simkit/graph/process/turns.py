@@ -36,13 +36,17 @@ class Turns:
 
     def begin(self) -> None:
         """A turn begins: nothing that was planned is to come any more."""
+        self.cancel()
+        now = self._executor.now_ns
+        self._count = self._count + 1 if now == self._instant_ns else 1
+        self._instant_ns = now
+
+    def cancel(self) -> None:
+        """Take back what was planned."""
         for event in (self._at_wake, self._soon):
             if event is not None:
                 event.cancel()
         self._at_wake = self._soon = None
-        now = self._executor.now_ns
-        self._count = self._count + 1 if now == self._instant_ns else 1
-        self._instant_ns = now
 
     def soon(self) -> None:
         """Plan a turn at this instant."""

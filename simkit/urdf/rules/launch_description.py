@@ -132,7 +132,7 @@ def description_command(sheet: Sheet) -> Iterator[Diagnostic]:
                 companion=launch.companion,
                 what=f"the command {quoted(program)} "
                 + ("is gone: it is called xacro now" if is_old else "is neither cat nor xacro"),
-                here="simkit runs no command of a launch file but xacro; what cat does it does itself.",
+                here="simkit runs no program of a launch file but xacro; what cat does, it does itself.",
                 gazebo="roslaunch stops with: Cannot load command parameter, if the program is not there.",
                 remedy='Write textfile="..." for a URDF, or command="xacro ..." for a xacro file.',
             )

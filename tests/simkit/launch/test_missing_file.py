@@ -2,10 +2,15 @@
 
 import pytest
 
-from simkit.launch.missing_file import how_to_name, torn_find
+from simkit.launch import missing_file
+from simkit.launch.missing_file import torn_find
 from simkit.packages import PackagePath
 
 RIGHT = "Write $(find arm)/urdf/robot.urdf"
+
+
+def how_to_name(name, packages, may_read=lambda path: True):
+    return missing_file.how_to_name(name, packages, may_read=may_read)
 
 
 @pytest.fixture
@@ -56,3 +61,12 @@ def test_a_file_in_another_folder_of_the_package_is_told_if_it_is_the_only_one(t
     assert how_to_name(str(tmp_path / "arm/robot.urdf"), packages) == f"{RIGHT}: there it is."
     assert "best as" in how_to_name(str(tmp_path / "arm/twin.urdf"), packages)
     assert "best as" in how_to_name(str(tmp_path / "elsewhere/robot.urdf"), packages)
+
+
+def test_of_what_may_not_be_read_not_even_that_it_is_there_is_told(tmp_path, packages):
+    def nothing(path):
+        return False
+
+    for name in ("urdf/robot.urdf", str(tmp_path / "arm/robot.urdf")):
+        assert "robot.urdf" in how_to_name(name, packages)
+        assert "robot.urdf" not in how_to_name(name, packages, nothing)

@@ -53,6 +53,14 @@ def test_one_that_sleeps_for_ever_gets_no_turn_by_itself(sleeper):
     assert sleeper.times == []
 
 
+def test_what_is_taken_back_does_not_come(sleeper):
+    sleeper.turns.sleep(5, 1, 1000)
+    sleeper.turns.soon()
+    sleeper.turns.cancel()
+    sleeper.run(2000)
+    assert sleeper.times == []
+
+
 def test_the_clock_goes_on_however_often_a_node_wants_another_turn(sleeper):
     sleeper.goes_on = sleeper.turns.soon
     sleeper.turns.soon()
