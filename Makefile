@@ -5,8 +5,12 @@ PYTHON ?= python3
 VENV   := .venv
 BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
+TESTS  := $(VENV)/.tests
 PEERS  := $(VENV)/.peers
+UV     := $(BIN)/uv pip install --python $(BIN)/python
 WORK   := work
+LOCK   := $(BIN)/uv pip compile --universal --generate-hashes --no-emit-index-url --no-emit-find-links \
+            --python-version 3.11 --quiet --custom-compile-command "make lock"
 
 .PHONY: help lab grade test test-all lint build bench lock clean
 
@@ -19,13 +23,21 @@ help:
 	@echo "make build     build the notebooks from their sources"
 	@echo "make bench     print the figures that README quotes"
 
-$(READY): requirements.lock pyproject.toml
-	$(PYTHON) -c 'import sys; assert sys.version_info >= (3, 11), "Python 3.11 or newer is needed, this is " + sys.version'
-	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --require-hashes -r requirements.lock
-	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation -e .
-	$(BIN)/python -m compileall -q simkit grader  # pip does so for all but what is installed in place
+$(READY): requirements-uv.lock requirements.lock pyproject.toml
+	@$(PYTHON) -c 'import sys; assert sys.version_info >= (3, 11), "Python 3.11 or newer is needed, this is " + sys.version'
+	@echo "Making the environment in $(VENV): $$(grep -c '^[a-z].*==' requirements.lock) packages, about 300 MB to load and 800 MB on the disk, once."
+	@$(PYTHON) -m venv $(VENV)
+	@$(BIN)/python -m pip install --quiet --require-hashes -r requirements-uv.lock
+	@$(UV) --require-hashes -r requirements.lock
+	@$(UV) --quiet --no-deps --no-build-isolation -e .
+	@$(BIN)/python -m compileall -q simkit grader
 	@touch $(READY)
+
+# What only the tests and the developers' tools need, on top of what students have.
+$(TESTS): $(READY) requirements-test.lock
+	@echo "Adding the tools of the tests: $$(($$(grep -c '^[a-z].*==' requirements-test.lock) - $$(grep -c '^[a-z].*==' requirements.lock))) packages, about 60 MB."
+	@$(UV) --require-hashes -r requirements-test.lock
+	@touch $(TESTS)
 
 lab: $(READY)
 	$(BIN)/grader start all
@@ -34,13 +46,13 @@ lab: $(READY)
 grade: $(READY)
 	$(BIN)/grader grade solutions exercises --out gradebook
 
-test: $(READY)
+test: $(TESTS)
 	$(BIN)/python -m pytest -n 2 -m "not slow"
 
-test-all: $(READY)
+test-all: $(TESTS)
 	$(BIN)/python -m pytest -n 2
 
-lint: $(READY)
+lint: $(TESTS)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
@@ -50,18 +62,18 @@ build: $(READY)
 	$(BIN)/python docs/exercise_list.py
 	$(BIN)/python docs/robots/make_pages.py
 
-$(PEERS): $(READY) benchmarks/peers.lock
-	-$(BIN)/python -m pip install --quiet --only-binary :all: --require-hashes -r benchmarks/peers.lock
+$(PEERS): $(TESTS) benchmarks/peers.lock
+	-$(UV) --quiet --only-binary :all: --require-hashes -r benchmarks/peers.lock
 	@touch $(PEERS)
 
 bench: $(READY) $(PEERS)
 	@for file in benchmarks/bench_*.py; do $(BIN)/python $$file || exit 1; done
 
 lock: $(READY)
-	$(BIN)/uv pip compile pyproject.toml --extra dev --universal --generate-hashes --no-emit-index-url \
-	  --no-emit-find-links --python-version 3.11 --quiet --custom-compile-command "make lock" -o requirements.lock
-	$(BIN)/uv pip compile benchmarks/peers.in -c requirements.lock --universal --generate-hashes --no-emit-index-url \
-	  --no-emit-find-links --python-version 3.11 --quiet --custom-compile-command "make lock" -o benchmarks/peers.lock
+	$(LOCK) pyproject.toml --extra setup -o requirements.lock
+	$(LOCK) pyproject.toml --extra setup --extra dev -c requirements.lock -o requirements-test.lock
+	echo uv | $(LOCK) - -c requirements.lock -o requirements-uv.lock
+	$(LOCK) benchmarks/peers.in -c requirements-test.lock -o benchmarks/peers.lock
 
 clean:
 	rm -rf $(VENV) gradebook .mypy_cache .ruff_cache .hypothesis
