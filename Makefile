@@ -17,7 +17,7 @@ LOCK   := $(BIN)/uv pip compile --universal --generate-hashes --no-emit-index-ur
 help:
 	@echo "make lab       open JupyterLab in work/ with the exercises"
 	@echo "make grade     grade the solutions and the untouched exercises, print the gradebook"
-	@echo "make test      the tests (under 10 minutes on 2 cores)"
+	@echo "make test      the tests (about 4 minutes on 2 cores)"
 	@echo "make test-all  the tests and the long ones"
 	@echo "make lint      ruff and mypy"
 	@echo "make build     build the notebooks from their sources"
@@ -28,7 +28,7 @@ $(READY): requirements-uv.lock requirements.lock pyproject.toml
 	@echo "Making the environment in $(VENV): $$(grep -c '^[a-z].*==' requirements.lock) packages, about 300 MB to load and 800 MB on the disk, once."
 	@$(PYTHON) -m venv $(VENV)
 	@$(BIN)/python -m pip install --quiet --require-hashes -r requirements-uv.lock
-	@$(UV) --require-hashes -r requirements.lock
+	@test -t 2 || quiet=--quiet; $(UV) $$quiet --require-hashes -r requirements.lock
 	@$(UV) --quiet --no-deps --no-build-isolation -e .
 	@$(BIN)/python -m compileall -q simkit grader
 	@touch $(READY)
@@ -36,12 +36,15 @@ $(READY): requirements-uv.lock requirements.lock pyproject.toml
 # What only the tests and the developers' tools need, on top of what students have.
 $(TESTS): $(READY) requirements-test.lock
 	@echo "Adding the tools of the tests: $$(($$(grep -c '^[a-z].*==' requirements-test.lock) - $$(grep -c '^[a-z].*==' requirements.lock))) packages, about 60 MB."
-	@$(UV) --require-hashes -r requirements-test.lock
+	@test -t 2 || quiet=--quiet; $(UV) $$quiet --require-hashes -r requirements-test.lock
 	@touch $(TESTS)
+
+# A login shell would set PATH anew, and `simkit` would not be found in the terminals of the lab.
+TERMINALS = --ServerApp.terminado_settings="shell_command=['$${SHELL:-sh}']"
 
 lab: $(READY)
 	$(BIN)/grader start all
-	cd $(WORK) && ../$(BIN)/jupyter lab $(LAB_OPTIONS)
+	cd $(WORK) && PATH="$(CURDIR)/$(BIN):$$PATH" jupyter lab $(TERMINALS) $(LAB_OPTIONS)
 
 grade: $(READY)
 	$(BIN)/grader grade solutions exercises --out gradebook

@@ -103,12 +103,16 @@ def build(options: argparse.Namespace) -> int:
 def start(options: argparse.Namespace) -> int:
     """`grader start ID|all`."""
     from grader.authoring.start import start as start_exercise
+    from grader.authoring.start import start_lectures
 
     root = _root(options)
     ids = list(load_exercises(root)) if options.id == "all" else [options.id]
     for exercise_id in ids:
         started = start_exercise(root, exercise_id)
         for message in started.messages:
+            print(message)
+    if options.id == "all":
+        for message in start_lectures(root):
             print(message)
     return OK
 

@@ -15,7 +15,11 @@ from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).resolve().parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
-LOCK = (ROOT / "requirements.lock").read_text(encoding="utf-8")
+LOCKS = {
+    "requirements.lock": ("setup",),
+    "requirements-test.lock": ("setup", "dev"),
+}
+"""Lock file, and the extras whose packages it holds beside the dependencies."""
 PYPROJECT = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
 MAKEFILE = (ROOT / "Makefile").read_text(encoding="utf-8")
 CI = ROOT / ".ci/run"
@@ -47,9 +51,9 @@ def texts() -> dict[str, str]:
     }
 
 
-def pins() -> dict[str, str]:
-    """Each entry of the lock file by the name of its package."""
-    entries = re.split(r"\n(?=[A-Za-z0-9])", LOCK)
+def pins(lock: str) -> dict[str, str]:
+    """Each entry of a lock file by the name of its package."""
+    entries = re.split(r"\n(?=[A-Za-z0-9])", (ROOT / lock).read_text(encoding="utf-8"))
     return {
         canonicalize_name(entry.partition("==")[0].partition("[")[0]): entry
         for entry in entries
@@ -57,10 +61,10 @@ def pins() -> dict[str, str]:
     }
 
 
-def requirements() -> list[Requirement]:
+def requirements(*extras: str) -> list[Requirement]:
     project = tomllib.loads(PYPROJECT)["project"]
-    listed = [*project["dependencies"], *project["optional-dependencies"]["dev"]]
-    return [Requirement(text) for text in listed]
+    listed = [project["dependencies"], *(project["optional-dependencies"][e] for e in extras)]
+    return [Requirement(text) for texts in listed for text in texts]
 
 
 def run(*command: str) -> str:
@@ -99,31 +103,48 @@ def test_notebooks_hold_no_outputs(texts: dict[str, str]) -> None:
 # -- dependencies
 
 
-def test_each_pin_has_hashes_and_no_address() -> None:
-    assert "://" not in LOCK
-    assert "--hash=sha256:" in LOCK
+@pytest.mark.parametrize("lock", [*LOCKS, "requirements-uv.lock"])
+def test_each_pin_has_hashes_and_no_address(lock: str) -> None:
+    assert "://" not in (ROOT / lock).read_text(encoding="utf-8")
     wrong = [
         name
-        for name, entry in pins().items()
+        for name, entry in pins(lock).items()
         if not re.match(r"[\w.\-\[\]]+==[\w.!+]+", entry)
         or not re.search(r"--hash=sha256:[0-9a-f]{64}\b", entry)
     ]
     assert wrong == []
 
 
-def test_the_lock_file_fits_the_dependencies() -> None:
+@pytest.mark.parametrize("lock", LOCKS)
+def test_the_lock_file_fits_the_dependencies(lock: str) -> None:
     project = tomllib.loads(PYPROJECT)["project"]["name"]
-    asked = {name for name, entry in pins().items() if f"{project} (pyproject.toml)" in entry}
-    wanted = {canonicalize_name(requirement.name): requirement for requirement in requirements()}
+    asked = {name for name, entry in pins(lock).items() if f"{project} (pyproject.toml)" in entry}
+    wanted = {canonicalize_name(needed.name): needed for needed in requirements(*LOCKS[lock])}
     assert asked == set(wanted), "run make lock"
-    versions = {name: pins()[name].split()[0].partition("==")[2] for name in asked}
+    versions = {name: pins(lock)[name].split()[0].partition("==")[2] for name in asked}
     wrong = {n: v for n, v in versions.items() if not wanted[n].specifier.contains(v, True)}
     assert wrong == {}, "run make lock"
 
 
+def test_students_load_no_tools_of_developers() -> None:
+    tools = {canonicalize_name(tool.name) for tool in requirements("dev")}
+    tools.remove("nbclient")  # JupyterLab brings it along
+    assert tools & set(pins("requirements.lock")) == set()
+
+
+def test_the_tests_run_with_the_versions_that_students_have() -> None:
+    def version(entry: str) -> str:
+        return entry.split()[0]
+
+    students, tests = pins("requirements.lock"), pins("requirements-test.lock")
+    moved = [name for name in students if version(students[name]) != version(tests[name])]
+    assert moved == [], "run make lock"
+    assert version(pins("requirements-uv.lock")["uv"]) == version(students["uv"]), "run make lock"
+
+
 def test_each_dependency_says_why_it_is_there() -> None:
     lines = [line for line in PYPROJECT.splitlines() if re.match(r'\s+"[\w-]+[>=<~!]', line)]
-    assert len(lines) == len(requirements())
+    assert len(lines) == len(requirements("setup", "dev"))
     assert [line for line in lines if not re.search(r'",\s*# \S+ \S+', line)] == []
 
 

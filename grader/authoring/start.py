@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from grader.authoring.lectures import FOLDER, lecture_paths
 from grader.errors import GraderError, SubmissionError
 from grader.exercises import Exercise, get_exercise
 from grader.submission import read_notebook
@@ -54,10 +56,48 @@ def start(root: Path, exercise_id: str, *, work: Path | None = None) -> Started:
     work = work if work is not None else root / "work"
     try:
         folders = _make_packages(exercise, work)
-        notebook, message = _copy(exercise, root, work)
+        released = root / "exercises" / f"{exercise.slug}.ipynb"
+        notebook = work / released.name
+        what = f"exercise {exercise.id}"
+        message = _copy(released, notebook, work, key=exercise.slug, what=what)
     except OSError as error:
         raise GraderError(f"cannot write to {work}: {error}") from error
     return Started(notebook=notebook, messages=(message, *folders))
+
+
+def start_lectures(root: Path, *, work: Path | None = None) -> tuple[str, ...]:
+    """Copy the lectures to `lectures/` in the working folder, by the rules of `start`.
+
+    Args:
+        root: Folder of the workbook.
+        work: The working folder; `root/work` if None.
+
+    Returns:
+        Sentences for the student.
+
+    Raises:
+        GraderError: The working folder cannot be written.
+    """
+    work = work if work is not None else root / "work"
+    folder = work / FOLDER
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        return tuple(
+            _copy(
+                released, folder / released.name, work, key=f"{FOLDER}/{released.stem}", what=what
+            )
+            for released, what in _lectures(root)
+        )
+    except OSError as error:
+        raise GraderError(f"cannot write to {work}: {error}") from error
+
+
+def _lectures(root: Path) -> Iterator[tuple[Path, str]]:
+    """The notebook of each lecture that was built, and what it is."""
+    for source in lecture_paths(root):
+        notebook = source.with_suffix(".ipynb")
+        if notebook.is_file():
+            yield notebook, f"lecture {notebook.stem}"
 
 
 def _make_packages(exercise: Exercise, work: Path) -> list[str]:
@@ -73,27 +113,34 @@ def _make_packages(exercise: Exercise, work: Path) -> list[str]:
     return messages
 
 
-def _copy(exercise: Exercise, root: Path, work: Path) -> tuple[Path, str]:
-    released = root / "exercises" / f"{exercise.slug}.ipynb"
-    mine = work / released.name
+def _copy(released: Path, mine: Path, work: Path, *, key: str, what: str) -> str:
+    """Lay a notebook into the working folder; what is said of it.
+
+    Args:
+        released: The notebook of the workbook.
+        mine: The student's own copy of it.
+        work: The working folder, which holds the record.
+        key: Its name in the record.
+        what: What it is, for the sentence: "exercise 3.1".
+    """
     record = _read_record(work)
     new = _fingerprint(released)
     if not mine.exists():
         _write(mine, released)
-        _write_record(work, record | {exercise.slug: new})
-        return mine, f"copied exercise {exercise.id} to {mine.name}"
+        _write_record(work, record | {key: new})
+        return f"copied {what} to {mine.relative_to(work).as_posix()}"
     old = _fingerprint(mine)
-    if new in (old, record.get(exercise.slug)):
-        return mine, f"{mine.name} is there already and was left as it is"
-    if old == record.get(exercise.slug):
+    if new in (old, record.get(key)):
+        return f"{mine.name} is there already and was left as it is"
+    if old == record.get(key):
         _write(mine, released)
-        _write_record(work, record | {exercise.slug: new})
-        return mine, f"{mine.name} was as given and is now the new version of the exercise"
+        _write_record(work, record | {key: new})
+        return f"{mine.name} was as given and is now the new version of the {what.split()[0]}"
     beside = _write_beside(mine, released)
-    _write_record(work, record | {exercise.slug: new})
-    return mine, (
-        f"the exercise has changed since you began; your {mine.name} was left as it is, and the"
-        f" new version lies beside it as {beside.name}"
+    _write_record(work, record | {key: new})
+    return (
+        f"the {what.split()[0]} has changed since you began; your {mine.name} was left as it is,"
+        f" and the new version lies beside it as {beside.name}"
     )
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from grader.authoring.start import start
+from grader.authoring.start import start, start_lectures
 from simkit.errors import UnknownNameError
 
 
@@ -98,3 +98,20 @@ def test_a_copy_of_unknown_origin_or_broken_is_left_alone(built: Any) -> None:
 def test_an_unknown_exercise_is_refused(built: Any) -> None:
     with pytest.raises(UnknownNameError, match=r"no exercise '3\.7'"):
         start(built.root, "3.7")
+
+
+def test_lectures_are_laid_beside_the_exercises_by_the_same_rules(built: Any) -> None:
+    source = built.root / "lectures" / "1_frames.md"
+    source.parent.mkdir(exist_ok=True)
+    source.write_text("# Frames\n\nA frame has an origin.\n")
+    assert start_lectures(built.root) == ()  # nothing is built yet
+    built.build()
+    assert start_lectures(built.root) == ("copied lecture 1_frames to lectures/1_frames.ipynb",)
+    mine = built.root / "work" / "lectures" / "1_frames.ipynb"
+    assert mine.read_bytes() == source.with_suffix(".ipynb").read_bytes()
+    mine.write_text("mine")
+    source.write_text("# Frames\n\nA frame has an origin and axes.\n")
+    built.build()
+    (said,) = start_lectures(built.root)
+    assert "lies beside it as 1_frames (new).ipynb" in said
+    assert mine.read_text() == "mine"
