@@ -218,7 +218,8 @@ class Seeing:
         Args:
             node: What `rosrun` answered.
         """
-        from simkit.viz import RvizProgram, RvizView
+        from simkit.nodes.rviz import RvizProgram
+        from simkit.viz import RvizView
 
         program = getattr(node, "program", None)
         if not isinstance(program, RvizProgram):
@@ -231,7 +232,7 @@ class Seeing:
         Args:
             node: What `rosrun` answered.
         """
-        from simkit.viz import RvizProgram
+        from simkit.nodes.rviz import RvizProgram
 
         program = getattr(node, "program", None)
         if not isinstance(program, RvizProgram):

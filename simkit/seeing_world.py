@@ -166,7 +166,7 @@ class SeeingWorld(Seeing):
         Raises:
             SimkitError: It is gzclient, and there is no world.
         """
-        from simkit.viz import GzclientProgram
+        from simkit.nodes.gzclient import GzclientProgram
 
         if not isinstance(getattr(node, "program", None), GzclientProgram):
             return super().window_of(node)
@@ -185,7 +185,7 @@ class SeeingWorld(Seeing):
         Raises:
             SimkitError: It is gzclient, and there is no world.
         """
-        from simkit.viz import GzclientProgram
+        from simkit.nodes.gzclient import GzclientProgram
 
         program = getattr(node, "program", None)
         if not isinstance(program, GzclientProgram):

@@ -34,6 +34,9 @@ MAY_IMPORT = {
     "simkit.tf.listener": "simkit.msgs simkit.tf simkit.graph",
     "simkit.tools": "simkit.errors simkit.msgs simkit.graph simkit.tf",
     "simkit.nodes": "simkit.errors simkit.saving simkit.msgs simkit.graph simkit.tf simkit.tools simkit.packages",
+    # programs with a window load the view when it is looked at
+    "simkit.nodes.rviz": "simkit.errors simkit.graph simkit.packages simkit.tools simkit.viz",
+    "simkit.nodes.tf_tools.view_frames": "simkit.graph simkit.msgs simkit.tf simkit.tf.listener simkit.tools simkit.viz",
     "simkit.nodes.robot_state_publisher": "simkit.errors simkit.msgs simkit.graph simkit.tf "
     "simkit.tools simkit.urdf",
     "simkit.nodes.joint_state_publisher": "simkit.errors simkit.msgs simkit.graph simkit.tools "
@@ -43,7 +46,7 @@ MAY_IMPORT = {
     "simkit.physics",
     "simkit.gazebo": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
     "simkit.urdf simkit.urdf.rules simkit.packages simkit.tools simkit.physics simkit.plugins",
-    "simkit.seeing_world": "simkit.errors simkit.gazebo simkit.graph simkit.recording simkit.running "
+    "simkit.seeing_world": "simkit.errors simkit.gazebo simkit.graph simkit.nodes.gzclient simkit.recording simkit.running "
     "simkit.seeing simkit.viz simkit.viz.world",
     "simkit.plotting": "simkit.errors simkit.gazebo simkit.graph simkit.physics simkit.recording simkit.viz",
     "simkit.steering": "simkit.errors simkit.graph simkit.msgs simkit.viz",
@@ -58,7 +61,7 @@ MAY_IMPORT = {
     "simkit.recording": "simkit.errors simkit.msgs simkit.graph",
     "simkit.running": "simkit.graph simkit.nodes simkit.packages",
     "simkit.seeing": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.nodes simkit.packages "
-    "simkit.nodes.joint_state_publisher simkit.recording simkit.running simkit.steering simkit.viz",
+    "simkit.nodes.joint_state_publisher simkit.nodes.rviz simkit.recording simkit.running simkit.steering simkit.viz",
     "simkit.talking": "simkit.errors simkit.msgs simkit.graph simkit.recording",
     "simkit.simulation": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tf.listener "
     "simkit.nodes simkit.packages simkit.recording simkit.running simkit.seeing simkit.talking "
@@ -171,6 +174,11 @@ COLD = {
     "a simulation": (
         "import simkit; simkit.Simulation(screen=None).run(1)",
         "numpy matplotlib rosbags rich pytest jupytext nbformat",
+    ),
+    "a robot without a window": (
+        "import simkit; sim = simkit.Simulation(package_path=['robots'], screen=None); "
+        "sim.roslaunch('my_robot_urdf', 'spawn_urdf.launch'); sim.run(1.0)",
+        "simkit.viz matplotlib trimesh ipywidgets anywidget meshcat yourdfpy PIL pytest",
     ),
     "grader": ("import grader", "numpy matplotlib yaml rich pytest jupytext nbformat simkit.graph"),
     "check": ("from grader import check", "numpy matplotlib rich pytest jupytext nbformat"),
@@ -348,6 +356,6 @@ def test_a_first_import_loads_nothing_heavy(name):
     statement, libraries = COLD[name]
     program = f"import sys; {statement}; print(*sys.modules)"
     done = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=ROOT
     )
     assert sorted(set(libraries.split()) & set(done.stdout.split())) == []

@@ -8,35 +8,38 @@ shows (`scene`, `forest`, `transform_series`, `turtle_tape`) lies apart from how
 recordings), `by_hand` (widgets that move robots).
 """
 
-from simkit.viz.by_hand.controlled_joints import controlled_joints
-from simkit.viz.by_hand.teleop_pad import TeleopPad
-from simkit.viz.by_hand.trajectory_sliders import TrajectorySliders
-from simkit.viz.frames_picture import FramesPicture
-from simkit.viz.gzclient_program import GzclientProgram
-from simkit.viz.joint_sliders import JointSliders
-from simkit.viz.live_rviz import LiveRviz
-from simkit.viz.live_view import LiveView
-from simkit.viz.plots.joint_plot import JointPlot
-from simkit.viz.plots.model_recording import ModelRecording
-from simkit.viz.plots.path_plot import PathPlot
-from simkit.viz.plots.tracking_plot import TrackingPlot
-from simkit.viz.robot_description import robot_displays
-from simkit.viz.robot_tree import RobotTree
-from simkit.viz.rviz_program import RvizProgram
-from simkit.viz.rviz_replay import RvizReplay
-from simkit.viz.rviz_settings import RvizSettings
-from simkit.viz.rviz_view import RvizView
-from simkit.viz.scene_source import SceneSource
-from simkit.viz.topics.displays import display_of, displays_of
-from simkit.viz.topics.ears import RvizEars
-from simkit.viz.transform_plot import TransformPlot
-from simkit.viz.transform_series import TransformSeries, transform_series
-from simkit.viz.turtle_replay import TurtleReplay
-from simkit.viz.turtlesim_view import TurtlesimView
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from simkit.viz.by_hand.controlled_joints import controlled_joints
+    from simkit.viz.by_hand.teleop_pad import TeleopPad
+    from simkit.viz.by_hand.trajectory_sliders import TrajectorySliders
+    from simkit.viz.frames_picture import FramesPicture
+    from simkit.viz.joint_sliders import JointSliders
+    from simkit.viz.live_rviz import LiveRviz
+    from simkit.viz.live_view import LiveView
+    from simkit.viz.plots.joint_plot import JointPlot
+    from simkit.viz.plots.model_recording import ModelRecording
+    from simkit.viz.plots.path_plot import PathPlot
+    from simkit.viz.plots.tracking_plot import TrackingPlot
+    from simkit.viz.robot_description import robot_displays
+    from simkit.viz.robot_tree import RobotTree
+    from simkit.viz.rviz_replay import RvizReplay
+    from simkit.viz.rviz_settings import RvizSettings
+    from simkit.viz.rviz_view import RvizView
+    from simkit.viz.scene_source import SceneSource
+    from simkit.viz.topics.displays import display_of, displays_of
+    from simkit.viz.topics.ears import RvizEars
+    from simkit.viz.transform_plot import TransformPlot
+    from simkit.viz.transform_series import TransformSeries, transform_series
+    from simkit.viz.turtle_replay import TurtleReplay
+    from simkit.viz.turtlesim_view import TurtlesimView
 
 __all__ = [
     "FramesPicture",
-    "GzclientProgram",
     "JointPlot",
     "JointSliders",
     "LiveRviz",
@@ -45,7 +48,6 @@ __all__ = [
     "PathPlot",
     "RobotTree",
     "RvizEars",
-    "RvizProgram",
     "RvizReplay",
     "RvizSettings",
     "RvizView",
@@ -63,3 +65,38 @@ __all__ = [
     "robot_displays",
     "transform_series",
 ]
+
+_HOMES = {
+    "FramesPicture": "frames_picture",
+    "JointPlot": "plots.joint_plot",
+    "JointSliders": "joint_sliders",
+    "LiveRviz": "live_rviz",
+    "LiveView": "live_view",
+    "ModelRecording": "plots.model_recording",
+    "PathPlot": "plots.path_plot",
+    "RobotTree": "robot_tree",
+    "RvizEars": "topics.ears",
+    "RvizReplay": "rviz_replay",
+    "RvizSettings": "rviz_settings",
+    "RvizView": "rviz_view",
+    "SceneSource": "scene_source",
+    "TeleopPad": "by_hand.teleop_pad",
+    "TrackingPlot": "plots.tracking_plot",
+    "TrajectorySliders": "by_hand.trajectory_sliders",
+    "TransformPlot": "transform_plot",
+    "TransformSeries": "transform_series",
+    "TurtleReplay": "turtle_replay",
+    "TurtlesimView": "turtlesim_view",
+    "controlled_joints": "by_hand.controlled_joints",
+    "display_of": "topics.displays",
+    "displays_of": "topics.displays",
+    "robot_displays": "robot_description",
+    "transform_series": "transform_series",
+}
+
+
+def __getattr__(name: str) -> Any:
+    # Loaded when first used: who draws nothing loads nothing.
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)

@@ -9,7 +9,7 @@ import pytest
 
 from simkit import Simulation
 from simkit.errors import SimkitError
-from simkit.viz.gzclient_program import HINT
+from simkit.nodes.gzclient import HINT
 from simkit.viz.world import LiveWorld, WorldReplay, WorldSettings, WorldView
 
 CAR = Path(__file__).resolve().parents[2] / "robots/gazebo_car/urdf/practice_car.urdf"

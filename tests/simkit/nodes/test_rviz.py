@@ -6,9 +6,10 @@ import pytest
 
 from simkit.graph import Executor, Graph
 from simkit.nodes import builtin_nodes
+from simkit.nodes.rviz import RvizProgram
 from simkit.packages import PackagePath
 from simkit.tools import UsageError
-from simkit.viz import RvizProgram, RvizSettings
+from simkit.viz import RvizSettings
 
 
 @pytest.fixture

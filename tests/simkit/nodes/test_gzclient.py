@@ -4,9 +4,8 @@ import pytest
 
 from simkit.graph import Executor, Graph
 from simkit.nodes import builtin_nodes
+from simkit.nodes.gzclient import HINT, GzclientProgram
 from simkit.tools import UsageError
-from simkit.viz import GzclientProgram
-from simkit.viz.gzclient_program import HINT
 
 
 @pytest.fixture

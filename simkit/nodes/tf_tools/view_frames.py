@@ -9,7 +9,6 @@ from simkit.graph import Node
 from simkit.msgs import Duration
 from simkit.tf import Buffer, TransformListener
 from simkit.tools.program import Program
-from simkit.viz.frames_picture import FramesPicture
 
 LISTENS = Duration(5)
 """How long it listens."""
@@ -27,6 +26,8 @@ class _ViewFrames(Program):
         node.create_timer(LISTENS, self._write)
 
     def _write(self) -> None:
+        from simkit.viz.frames_picture import FramesPicture
+
         picture = FramesPicture(self._buffer, now=self._node.now())
         try:
             for name in ("frames.gv", "frames.pdf"):

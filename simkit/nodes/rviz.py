@@ -7,15 +7,16 @@ from __future__ import annotations
 
 import argparse
 from dataclasses import replace
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from simkit.errors import SimkitError
 from simkit.graph import Node
 from simkit.packages import PackagePath
 from simkit.tools import UsageError
 from simkit.tools.program import Program
-from simkit.viz.rviz_config import read_config
-from simkit.viz.rviz_settings import RvizSettings
+
+if TYPE_CHECKING:
+    from simkit.viz.rviz_settings import RvizSettings
 
 USAGE: Final = "usage: rviz [-d FILE.rviz] [-f FIXED_FRAME]"
 
@@ -45,6 +46,8 @@ class RvizProgram(Program):
         Args:
             packages: Says whether the configuration may be read: it may be that of somebody's launch file.
         """
+        from simkit.viz.rviz_settings import RvizSettings
+
         try:
             found = self._configured(packages)
         except SimkitError as error:
@@ -56,6 +59,9 @@ class RvizProgram(Program):
         self._print(f"RViz is at {url} (open it in a browser; Ctrl-C ends it)\n")
 
     def _configured(self, packages: PackagePath) -> RvizSettings:
+        from simkit.viz.rviz_config import read_config
+        from simkit.viz.rviz_settings import RvizSettings
+
         if self._file is None:
             return RvizSettings(fixed_frame="")
         if not packages.may_read(self._file):
