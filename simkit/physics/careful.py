@@ -103,7 +103,7 @@ class Careful:
             slow = math.inf
             if joint.kind is JointKind.FREE:
                 slow = TUMBLE
-            elif joint.moves and not _is_wheel(joint, plan):
+            elif joint.moves and not _is_balanced_wheel(joint, plan):
                 slow = SWING
             for number in range(min(3, engine_joint.getNumDofs())):  # of six, those that turn
                 found[engine_joint.getIndexInSkeleton(number)] = slow
@@ -218,7 +218,7 @@ def _state(skeleton: Any) -> tuple[bytes, bytes]:
     return (skeleton.getPositions().tobytes(), skeleton.getVelocities().tobytes())
 
 
-def _is_wheel(joint: JointPlan, plan: ModelPlan) -> bool:
+def _is_balanced_wheel(joint: JointPlan, plan: ModelPlan) -> bool:
     """Whether a joint carries one body that turns like a wheel, and nothing beyond it."""
     is_last = all(other.parent != joint.child for other in plan.joints.values())
     if joint.kind is not JointKind.REVOLUTE or not is_last or joint.stiffness > 0.0:

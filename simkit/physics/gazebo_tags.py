@@ -9,11 +9,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
+from simkit.urdf.fixed_joints import KEEP_TAGS, TRUE
 from simkit.urdf.model import Robot
 from simkit.xml import Element
-
-TRUE = ("true", "yes", "1")
-"""What sdformat takes for true, in small letters."""
 
 _RIGID = ("kp", "kd", "maxVel", "minDepth", "stopCfm", "stopErp", "fdir1")
 "Tags that soften or turn contacts and stops: those of the engine are rigid, and have no direction."
@@ -122,7 +120,7 @@ def _read_joint(block: Element, name: str, tags: GazeboTags) -> None:
     joint = tags.joints.setdefault(name, JointTags())
     for child in block.children:
         match child.name:
-            case "preserveFixedJoint" | "disableFixedJointLumping":
+            case word if word in KEEP_TAGS:
                 joint.is_kept = joint.is_kept or _flag(child)
             case "springStiffness":
                 joint.stiffness = _number(child, name, tags, least=0.0) or 0.0

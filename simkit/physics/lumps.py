@@ -1,20 +1,14 @@
-"""Lumps: links that fixed joints hold together are one body.
-
-Source: sdformat's fixed joint reduction. A fixed joint is kept where its parent is the root link
-`world`, and where a `<gazebo>` of the joint says `preserveFixedJoint` or `disableFixedJointLumping`.
-"""
+"""Lumps: links that fixed joints hold together are one body, with where its links and joints are in it."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from simkit.physics.gazebo_tags import GazeboTags
+from simkit.urdf.fixed_joints import WORLD, merged_links
 from simkit.urdf.frame import Frame
 from simkit.urdf.model import Joint, JointType, Link, Robot
-
-WORLD = "world"
-"""A root link of this name is no body: what hangs on it hangs on the world."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,10 +46,11 @@ class Lump:
 def find_lumps(robot: Robot, tags: GazeboTags) -> dict[str, Lump]:
     """The lumps of a robot by name, parents before their children; `world` is one of its own."""
     below = _joints_below(robot)
+    merged = _merged_links(robot, below, tags)
     found: dict[str, Lump] = {}
     waiting = [robot.root]
     while waiting:
-        lump = _lump(robot, waiting.pop(), below, tags)
+        lump = _lump(robot, waiting.pop(), below, merged)
         found[lump.name] = lump
         waiting.extend(branch.joint.child for branch in reversed(lump.branches))
     return found
@@ -66,7 +61,9 @@ def is_anchor(robot: Robot, link: str) -> bool:
     return link == WORLD and link == robot.root
 
 
-def _lump(robot: Robot, leader: str, below: Mapping[str, list[Joint]], tags: GazeboTags) -> Lump:
+def _lump(
+    robot: Robot, leader: str, below: Mapping[str, list[Joint]], merged: Collection[str]
+) -> Lump:
     members: list[Member] = []
     branches: list[Branch] = []
     waiting = [Member(link=robot.links[leader], frame=Frame())]
@@ -75,7 +72,7 @@ def _lump(robot: Robot, leader: str, below: Mapping[str, list[Joint]], tags: Gaz
         members.append(member)
         inner: list[Member] = []
         for joint in below.get(member.link.name, ()):
-            if _is_lumped(robot, joint, tags):
+            if joint.child in merged:
                 frame = member.frame.then(Frame.of(joint.origin))
                 inner.append(Member(link=robot.links[joint.child], frame=frame))
             else:
@@ -84,10 +81,16 @@ def _lump(robot: Robot, leader: str, below: Mapping[str, list[Joint]], tags: Gaz
     return Lump(name=leader, members=tuple(members), branches=tuple(branches))
 
 
-def _is_lumped(robot: Robot, joint: Joint, tags: GazeboTags) -> bool:
-    if joint.type is not JointType.FIXED or is_anchor(robot, joint.parent):
-        return False
-    return not tags.of_joint(joint.name).is_kept
+def _merged_links(
+    robot: Robot, below: Mapping[str, list[Joint]], tags: GazeboTags
+) -> dict[str, str]:
+    """For each link that is merged into its parent: the parent."""
+    joints = [joint for same in below.values() for joint in same]
+    return merged_links(
+        [(one.name, one.parent, one.child) for one in joints if one.type is JointType.FIXED],
+        kept=[one.name for one in joints if tags.of_joint(one.name).is_kept],
+        has_ground=is_anchor(robot, WORLD),
+    )
 
 
 def _joints_below(robot: Robot) -> dict[str, list[Joint]]:

@@ -14,15 +14,10 @@ import math
 from simkit.physics.plan import JointKind, JointPlan, ShapePlan, Solid
 from simkit.urdf.matrix import apply
 from simkit.urdf.model import Cylinder
+from simkit.urdf.wheel import is_wheel
 
 WIDTH = 0.002
 """Width of what touches [m]: how far wheels are apart is off by less than that."""
-ASKEW = math.radians(2.0)
-"""By so much the axis of a wheel may be off that of its joint: numbers like 1.57 are rounded [rad]."""
-OFF_CENTRE = 0.05
-"""Share of its radius by which the centre of a wheel may be off the axis of its joint."""
-LONGEST = 2.0
-"""A wheel is no longer than so many radii; what is longer is a roller, and touches along a line."""
 
 
 def contact_solid(shape: ShapePlan, joint: JointPlan) -> Solid:
@@ -40,16 +35,8 @@ def contact_solid(shape: ShapePlan, joint: JointPlan) -> Solid:
 
 def _is_wheel(solid: Cylinder, shape: ShapePlan, joint: JointPlan) -> bool:
     """Whether a cylinder turns round and round about its own axis."""
-    if joint.kind is not JointKind.REVOLUTE or solid.length > LONGEST * solid.radius:
-        return False
-    if math.isfinite(joint.lower) or math.isfinite(joint.upper):
+    is_endless = not math.isfinite(joint.lower) and not math.isfinite(joint.upper)
+    if joint.kind is not JointKind.REVOLUTE or not is_endless:
         return False
     axis = apply(joint.anchor.rotation, joint.axis)
-    own = tuple(row[2] for row in shape.frame.rotation)
-    along = sum(a * b for a, b in zip(axis, own, strict=True))
-    if abs(along) < math.cos(ASKEW):
-        return False
-    arm = [c - o for c, o in zip(shape.frame.origin, joint.anchor.origin, strict=True)]
-    forward = sum(a * b for a, b in zip(axis, arm, strict=True))
-    off = math.dist(arm, [forward * a for a in axis])
-    return off <= OFF_CENTRE * solid.radius
+    return is_wheel(solid, shape.frame, axis=axis, origin=joint.anchor.origin)

@@ -11,7 +11,9 @@ from simkit.plugins.diff_drive import DiffDriveParameters
 from simkit.plugins.skid_steer_drive import SkidSteerDriveParameters
 from simkit.tf.rotation import rotate
 from simkit.tf.transform import Vector
+from simkit.urdf.frame import Frame
 from simkit.urdf.model import Cylinder, Sphere
+from simkit.urdf.wheel import round_part
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -62,22 +64,21 @@ class Drive:
         return (slow + fast) / 2.0, (fast - slow) / self.separation
 
     def _radius(self, joint: ModelJoint) -> float | None:
-        for shape in self.model.plan.bodies[joint.plan.child].shapes:
-            if isinstance(shape.solid, Cylinder | Sphere):
-                return shape.solid.radius
-        return None
+        rolling = self._round_part(joint)
+        return None if rolling is None else rolling[0].radius
 
     def _hub(self, joint: ModelJoint) -> Vector:
         """Middle of a wheel in the world [m]: that of its round shape, else its joint."""
         pose = self.model.link_pose(joint.plan.child)
-        middle = (0.0, 0.0, 0.0)
-        for shape in self.model.plan.bodies[joint.plan.child].shapes:
-            if isinstance(shape.solid, Cylinder | Sphere):
-                middle = shape.frame.origin
-                break
+        rolling = self._round_part(joint)
+        middle = (0.0, 0.0, 0.0) if rolling is None else rolling[1].origin
         x, y, z = rotate(pose.rotation, middle)
         ox, oy, oz = pose.translation
         return (ox + x, oy + y, oz + z)
+
+    def _round_part(self, joint: ModelJoint) -> tuple[Cylinder | Sphere, Frame] | None:
+        shapes = self.model.plan.bodies[joint.plan.child].shapes
+        return round_part((shape.solid, shape.frame) for shape in shapes)
 
 
 def drive_of(spawned: Spawned) -> Drive | None:

@@ -7,13 +7,13 @@ import math
 from simkit.record import Record
 from simkit.urdf.frame import Frame
 from simkit.urdf.matrix import apply
-from simkit.urdf.model import Cylinder, Sphere, Vector
-from simkit.urdf.placed_shape import PlacedShape
+from simkit.urdf.model import Vector
 from simkit.urdf.rules.entries import JointEntry, PluginEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.tree_facts import is_whole
 from simkit.urdf.rules.values import read_number
 from simkit.urdf.rules.zero_pose import Standing, standing_shapes, zero_pose
+from simkit.urdf.wheel import round_part
 from simkit.xml import Element
 
 _SIDES = {
@@ -129,18 +129,14 @@ def _wheel(
         return None
     link = sheet.link_by_name[joint.child or ""]
     touched = standing_shapes(link.collisions, where)
-    rounds = [
-        one
-        for one in (*touched, *standing_shapes(link.visuals, where))
-        if isinstance(one.shape, Cylinder | Sphere)
-    ]
-    middle = rounds[0].frame.origin if rounds else where.frame.origin
+    rolling = round_part((*touched, *standing_shapes(link.visuals, where)))
+    middle = where.frame.origin if rolling is None else rolling[1].origin
     return Wheel(
         joint=joint,
         element=element,
         middle=seen_from.frame.back(middle),
         axis=_axis(joint, seen_from.frame.from_here(where.frame)),
-        radius=_radius(rounds),
+        radius=None if rolling is None else rolling[0].radius,
         lowest=min((shape.lowest() for shape in touched), default=None),
     )
 
@@ -149,8 +145,3 @@ def _axis(joint: JointEntry, frame: Frame) -> Vector:
     x, y, z = apply(frame.rotation, joint.axis or (0.0, 0.0, 0.0))
     length = math.hypot(x, y, z)
     return (x / length, y / length, z / length) if 0.0 < length < math.inf else (0.0, 0.0, 0.0)
-
-
-def _radius(rounds: list[PlacedShape]) -> float | None:
-    shape = rounds[0].shape if rounds else None
-    return shape.radius if isinstance(shape, Cylinder | Sphere) else None

@@ -6,10 +6,9 @@ import math
 from collections.abc import Iterator
 
 from simkit.diagnostics import Diagnostic, Rule, Severity
-from simkit.urdf.matrix import apply
 from simkit.urdf.model import Cylinder
 from simkit.urdf.placed_shape import PlacedShape, extent, overlap
-from simkit.urdf.rules.bodies import frame_of, simple_shapes
+from simkit.urdf.rules.bodies import simple_shapes
 from simkit.urdf.rules.entries import JointEntry
 from simkit.urdf.rules.lumps import is_world, lumps
 from simkit.urdf.rules.paste import short
@@ -17,6 +16,7 @@ from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.tree_facts import is_whole
 from simkit.urdf.rules.wording import quoted
 from simkit.urdf.rules.zero_pose import standing_shapes, zero_pose
+from simkit.urdf.wheel import is_wheel
 
 _DEEP = 0.05
 "Two shapes overlap if each reaches into the other by this share of the smaller one's size."
@@ -187,18 +187,14 @@ class _Connections:
 
 
 def _is_wheel(sheet: Sheet, joint: JointEntry) -> bool:
-    """Whether a joint turns a flat cylinder about its own axis, and nothing else hangs on it."""
-    link, frame = sheet.link_by_name.get(joint.child or ""), frame_of(joint.origin)
+    """Whether a joint turns a wheel, and nothing else hangs on it."""
+    link = sheet.link_by_name.get(joint.child or "")
     shapes = () if link is None else simple_shapes(link.collisions)
-    if frame is None or joint.axis is None or len(shapes) != 1 or joint.child in sheet.joints_below:
+    if joint.axis is None or len(shapes) != 1 or joint.child in sheet.joints_below:
         return False
-    shape = shapes[0].shape
-    if not isinstance(shape, Cylinder) or shape.length > 2.0 * shape.radius:
-        return False
-    along = apply(shapes[0].frame.rotation, (0.0, 0.0, 1.0))
-    length = math.hypot(*joint.axis)
-    cosine = sum(a * b for a, b in zip(along, joint.axis, strict=True))
-    return abs(cosine) > 0.99 * length > 0.0
+    shape, frame = shapes[0]
+    origin = (0.0, 0.0, 0.0)
+    return isinstance(shape, Cylinder) and is_wheel(shape, frame, axis=joint.axis, origin=origin)
 
 
 def _spawn_height(sheet: Sheet) -> float | None:

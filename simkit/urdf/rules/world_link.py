@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.urdf.fixed_joints import WORLD
 from simkit.urdf.rules.entries import LinkEntry
-from simkit.urdf.rules.lumps import WORLD, is_world
+from simkit.urdf.rules.lumps import is_world
 from simkit.urdf.rules.sheet import Sheet
 
 
