@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from simkit.graph import Graph, Node
     from simkit.graph.process import ScriptNode
     from simkit.nodes.joint_state_publisher import JointStatePublisherGui
+    from simkit.nodes.turtlesim import TurtlesimNode
     from simkit.packages import PackagePath
     from simkit.recording import Recording
     from simkit.running import RunningBuiltin
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
         TransformPlot,
         TurtlesimView,
     )
+    from simkit.viz.live_turtlesim import LiveTurtlesim
 
 
 class Seeing:
@@ -226,21 +228,37 @@ class Seeing:
             return None
         return RvizView(self._scene_source(program.settings(self.packages)).scene())
 
-    def serve_window_of(self, node: ScriptNode | RunningBuiltin) -> LiveRviz | None:
-        """The same as a page that follows the simulation until the node ends; the node prints its address.
+    def serve_window_of(self, node: ScriptNode | RunningBuiltin) -> LiveRviz | LiveTurtlesim | None:
+        """The window of an rviz or a turtlesim as a page that follows the simulation until the node ends.
+
+        The node prints the address of the page.
 
         Args:
             node: What `rosrun` answered.
         """
         from simkit.nodes.rviz import RvizProgram
+        from simkit.nodes.turtlesim import TurtlesimNode
 
         program = getattr(node, "program", None)
+        if isinstance(program, TurtlesimNode):
+            return self._live_turtlesim(program, is_over=lambda: not node.alive)
         if not isinstance(program, RvizProgram):
             return None
         settings = program.settings(self.packages)
         view = self._live_rviz(settings, is_over=lambda: not node.alive)
         program.tell(view.url)
         return view
+
+    def _live_turtlesim(
+        self, program: TurtlesimNode, *, is_over: Callable[[], bool]
+    ) -> LiveTurtlesim:
+        from simkit.viz.live_turtlesim import LiveTurtlesim
+
+        page = LiveTurtlesim(lambda: program.picture(names=True), is_over=is_over)
+        self._views.append(page.refresh)
+        self._closers.append(page.close)
+        program.tell(page.url)
+        return page
 
     def _live_rviz(
         self, settings: RvizSettings, *, is_over: Callable[[], bool] = lambda: False

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from simkit.gazebo import Gazebo
     from simkit.recording import Recording
     from simkit.viz import LiveRviz, RvizView
+    from simkit.viz.live_turtlesim import LiveTurtlesim
     from simkit.viz.world import LiveWorld, WorldReplay, WorldSettings, WorldTape, WorldView
 
 
@@ -176,7 +177,7 @@ class SeeingWorld(Seeing):
 
         return WorldView(WorldSource(self._world_to_see(), WorldSettings()).scene())
 
-    def serve_window_of(self, node: ScriptNode | RunningBuiltin) -> LiveRviz | None:
+    def serve_window_of(self, node: ScriptNode | RunningBuiltin) -> LiveRviz | LiveTurtlesim | None:
         """The same as a page that follows the simulation until the node ends; the node prints its address.
 
         Args:

@@ -10,7 +10,7 @@ from simkit.simulation import Simulation
 
 
 def open_windows(sim: Simulation, nodes: Iterable[ScriptNode | RunningBuiltin]) -> None:
-    """Serve the view of each node that is an rviz or a gzclient; the node prints where.
+    """Serve the view of each node that is an rviz, a gzclient or a turtlesim; the node prints where.
 
     Args:
         sim: The simulation.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeAlias
 
@@ -50,6 +49,26 @@ class State:
     marks: tuple[Marks, ...] = ()
     """Points and lines as they are now."""
 
+    def news(self, known: State | None) -> str | None:
+        """What a viewer still has to be told as JSON; None if it knows everything.
+
+        Args:
+            known: What the viewer was told last; None if nothing.
+        """
+        is_known = known is not None and known.number == self.number
+        poses, marks = (known.poses, known.marks) if known and is_known else ((), ())
+        old = dict(enumerate(poses))
+        moved = {number: pose for number, pose in enumerate(self.poses) if old.get(number) != pose}
+        news: dict[str, Any] = {}
+        if moved:
+            news["poses"] = moved
+        if self.marks != marks:
+            news["marks"] = [moment_data(one) for one in self.marks]
+        text = json.dumps(news, allow_nan=False, separators=(",", ":"))
+        if not is_known:
+            return f'{{"scene":{self.scene},"news":{text}}}'
+        return f'{{"news":{text}}}' if news else None
+
 
 class LiveNews:
     """Follows a scene, with little to do when nothing but poses has changed.
@@ -92,34 +111,6 @@ class LiveNews:
         """Everything but the poses."""
         names = tuple((pose.name, pose.parent) for pose in frames.poses)
         return frames.fixed_frame, names, frames.error, frames.problems, id(self._source.shapes())
-
-
-def message(
-    state: State,
-    known_number: int,
-    known: Mapping[int, tuple[float, ...]],
-    known_marks: tuple[Marks, ...] = (),
-) -> str | None:
-    """What a viewer still has to be told; None if it knows everything.
-
-    Args:
-        state: What there is to know.
-        known_number: The number of the scene that it has.
-        known: Which poses it has, by number of the frame; empty for another scene.
-        known_marks: Which points and lines it has.
-    """
-    news: dict[str, Any] = {}
-    if state.number != known_number:
-        known, known_marks = {}, ()
-    moved = {number: pose for number, pose in enumerate(state.poses) if known.get(number) != pose}
-    if moved:
-        news["poses"] = moved
-    if state.marks != known_marks:
-        news["marks"] = [moment_data(marks) for marks in state.marks]
-    text = json.dumps(news, allow_nan=False, separators=(",", ":"))
-    if state.number != known_number:
-        return f'{{"scene":{state.scene},"news":{text}}}'
-    return f'{{"news":{text}}}' if news else None
 
 
 def _poses(frames: TfScene) -> Poses:

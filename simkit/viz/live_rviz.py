@@ -79,7 +79,7 @@ class LiveRviz:
             scene,
             data=data,
             controls=[_STATUS],
-            scripts=["rviz_live"],
+            scripts=["live", "rviz_live"],
             connects_to=self._server.socket_url,
         )
 

@@ -10,8 +10,7 @@ import asyncio
 import contextlib
 import secrets
 import threading
-from collections.abc import Mapping
-from typing import Any, Final
+from typing import Any, Final, Protocol
 
 from tornado.httpserver import HTTPServer
 from tornado.netutil import bind_sockets
@@ -19,8 +18,6 @@ from tornado.web import Application, HTTPError, RequestHandler
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 from simkit.errors import SimkitError
-from simkit.viz.live_news import State, message
-from simkit.viz.marks import Marks
 
 PAUSE: Final = 1 / 30
 """At most so often is a viewer told something [s of wall-clock time]."""
@@ -33,6 +30,17 @@ FULL: Final = 4001
 _OWN_NAMES: Final = ("127.0.0.1", "localhost")
 _FAREWELL = 0.2
 "So long a viewer may take to hear that all is over [s of wall-clock time]."
+
+
+class LiveState(Protocol):
+    """What there is to see at one moment."""
+
+    def news(self, known: Any) -> str | None:
+        """What a viewer still has to be told as JSON; None if it knows everything.
+
+        Args:
+            known: The state that the viewer was told last; None if none.
+        """
 
 
 class LiveServer:
@@ -49,7 +57,7 @@ class LiveServer:
         SimkitError: There is no port for it.
     """
 
-    def __init__(self, state: State) -> None:
+    def __init__(self, state: LiveState) -> None:
         self.page = ""
         self._state = state
         self._token = secrets.token_urlsafe(16)
@@ -85,7 +93,7 @@ class LiveServer:
         """How many pages look."""
         return len(self._viewers)
 
-    def update(self, state: State) -> None:
+    def update(self, state: LiveState) -> None:
         """There is something new to see; returns at once."""
         self._state = state
         self._wake()
@@ -174,9 +182,7 @@ class _Page(_Guarded):
 class _Viewer(_Guarded, WebSocketHandler):
     def initialize(self, server: LiveServer) -> None:
         super().initialize(server)
-        self._number = -1
-        self._poses: Mapping[int, tuple[float, ...]] = {}
-        self._marks: tuple[Marks, ...] = ()
+        self._known: LiveState | None = None
         self._sending: asyncio.Task[None] | None = None
 
     def check_origin(self, origin: str) -> bool:
@@ -195,14 +201,13 @@ class _Viewer(_Guarded, WebSocketHandler):
     def on_close(self) -> None:
         self._server.forget(self)
 
-    def tell(self, state: State) -> bool:
+    def tell(self, state: LiveState) -> bool:
         """Send what is new; False if the last news have not left yet."""
         if self._sending is not None and not self._sending.done():
             return False
-        text = message(state, self._number, self._poses, self._marks)
+        text = state.news(self._known)
         if text is not None:
-            self._number, self._poses = state.number, dict(enumerate(state.poses))
-            self._marks = state.marks
+            self._known = state
             self._sending = asyncio.ensure_future(self._send(text))
         return True
 

@@ -123,7 +123,8 @@ def test_the_window_of_rviz_and_of_other_nodes(sim, drive):
     assert sim.window_of(chosen).scene.tf.fixed_frame == "turtle1"
     turtles = sim.rosrun("turtlesim", "turtlesim_node")
     assert sim.window_of(turtles) is None
-    assert sim.serve_window_of(turtles) is None
+    mimic = sim.rosrun("turtlesim", "mimic")
+    assert sim.serve_window_of(mimic) is None
 
 
 def test_a_served_window_is_there_until_its_node_ends(sim, drive):

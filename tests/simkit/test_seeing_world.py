@@ -105,6 +105,6 @@ def test_in_a_terminal_gzclient_is_told_its_address(sim, car):
 def test_other_nodes_keep_their_windows(sim):
     node = sim.rosrun("rviz", "rviz")
     assert type(sim.window_of(node)).__name__ == "RvizView"
-    turtle = sim.rosrun("turtlesim", "turtlesim_node")
-    assert sim.window_of(turtle) is None
-    assert sim.serve_window_of(turtle) is None
+    mimic = sim.rosrun("turtlesim", "mimic")
+    assert sim.window_of(mimic) is None
+    assert sim.serve_window_of(mimic) is None

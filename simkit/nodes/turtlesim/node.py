@@ -57,6 +57,11 @@ class TurtlesimNode:
         """
         return Picture(self.frame, names=names)
 
+    def tell(self, url: str) -> None:
+        """Print where the window is, for a person at a terminal."""
+        text = f"turtlesim is at {url} (open it in a browser; Ctrl-C ends it)\n"
+        self._node.graph.show_output(self._node.name, text)
+
     def _tick(self) -> None:
         # turtlesim's first update only notes the time.
         if not self._is_ticking:

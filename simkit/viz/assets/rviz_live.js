@@ -1,8 +1,7 @@
 // Follows a simulation: its server tells what has moved. See live_news.py.
 (() => {
-  const ENDED = 4000, LONGEST_WAIT = 5000, place = element("live");
-  const say = (words) => { place.textContent = words; };
-  let wait = 250, wasOpen = false, told = 0;
+  const place = element("live");
+  let told = 0;
 
   function hear({ scene, news }) {
     if (scene) {
@@ -21,32 +20,8 @@
     }
   }
 
-  function connect() {
-    let socket;
-    try {
-      socket = new WebSocket(address);
-    } catch (error) {
-      say(unreachable);
-      return;
-    }
-    socket.onopen = () => {
-      [wasOpen, wait] = [true, 250];
-      say("live: follows the simulation");
-    };
-    socket.onmessage = (event) => hear(JSON.parse(event.data));
-    socket.onclose = (event) => {
-      if (event.code >= ENDED) say(`Not live any more: ${event.reason}.`);
-      else {
-        say(wasOpen ? "Lost the simulation; looking for it again ..." : unreachable);
-        wait = Math.min(2 * wait, LONGEST_WAIT);
-        setTimeout(connect, wait);
-      }
-    };
-  }
-
-  const address = view.scene.socket;
   const unreachable = "Not live: this browser does not reach the computer where the simulation runs (as on JupyterHub or " +
     "Colab), or the simulation is over. This is how it was when the view was made; " +
     `${view.scene.command} shows how it is now.`;
-  connect();
+  follow(view.scene.socket, { hear, say: (words) => { place.textContent = words; }, unreachable });
 })();

@@ -8,7 +8,7 @@ import pytest
 from simkit.graph.params import ParameterServer
 from simkit.packages import PackagePath
 from simkit.viz import RvizSettings, SceneSource
-from simkit.viz.live_news import LiveNews, message
+from simkit.viz.live_news import LiveNews
 from simkit.viz.marks import Marks
 
 START = 1_600_088_400
@@ -28,8 +28,8 @@ def news(turtles, parameters):
     return LiveNews(source)
 
 
-def told(state, number=-1, known=None, known_marks=()):
-    text = message(state, number, known or {}, known_marks)
+def told(state, known=None):
+    text = state.news(known)
     return None if text is None else json.loads(text)
 
 
@@ -43,14 +43,14 @@ def test_somebody_new_is_told_everything(news):
 
 def test_who_knows_everything_is_told_nothing(news):
     state = news.look()
-    assert told(state, state.number, dict(enumerate(state.poses))) is None
+    assert told(state, state) is None
 
 
 def test_only_what_has_moved_is_told(news, turtles):
     before = news.look()
     turtles.put("world", "turtle2", START + 5, (4, 4, 0))
     after = news.look()
-    found = told(after, before.number, dict(enumerate(before.poses)))
+    found = told(after, before)
     assert found == {"news": {"poses": {"3": [4, 4, 0, 0, 0, 0, 1]}}}
     assert after.scene == before.scene
 
@@ -58,12 +58,11 @@ def test_only_what_has_moved_is_told(news, turtles):
 def test_points_and_lines_are_told_when_they_are_others(news):
     contact = Marks(name="contacts", label="Contacts", color="#00ff00", points=((1.0, 2.0, 3.0),))
     state = replace(news.look(), marks=(contact,))
-    poses = dict(enumerate(state.poses))
     data = [{"points": [1, 2, 3], "lines": []}]
-    assert told(state, state.number, poses) == {"news": {"marks": data}}
-    assert told(state, state.number, poses, state.marks) is None
+    assert told(state, news.look()) == {"news": {"marks": data}}
+    assert told(state, state) is None
     # Who gets another scene is told them anew.
-    assert told(state, -1, poses, state.marks)["news"]["marks"] == data
+    assert told(state, replace(state, number=-1))["news"]["marks"] == data
 
 
 @pytest.mark.parametrize("change", ["a frame", "the robot", "beyond the grid", "another parent"])
@@ -80,7 +79,7 @@ def test_what_is_new_makes_another_scene(news, turtles, parameters, change):
             turtles.put("turtle1", "turtle2", START + 5)
     after = news.look()
     assert after.number == before.number + 1
-    assert "scene" in told(after, before.number, dict(enumerate(before.poses)))
+    assert "scene" in told(after, before)
     assert news.look().number == after.number
 
 

@@ -1,0 +1,9 @@
+// The window of turtlesim as it is now. See live_turtlesim.py.
+(() => {
+  const [data, place, picture] = ["data", "live", "window"].map((id) => document.getElementById(id));
+  follow(JSON.parse(data.textContent).socket, {
+    hear: ({ svg }) => { picture.innerHTML = svg; },
+    say: (words) => { place.textContent = words; },
+    unreachable: "Not live: the simulation is over. This is how it was at its beginning.",
+  });
+})();
