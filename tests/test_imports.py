@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from simkit import msgs
+from tests.laws import broken_laws
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -242,6 +243,12 @@ def _imports_below(node: ast.AST, module: str, package: str, *, lazy: bool) -> I
         yield from _imports_below(child, module, package, lazy=lazy or is_function or is_typing)
 
 
+TABLES = "tests/test_imports.py"
+ABOVE = (
+    f"the table is MAY_IMPORT in {TABLES}. Of what lies above, let the caller hand it in, or ask the graph; "
+    "what both need moves below both; a new arrow downwards is a word in the row"
+)
+
 IMPORTS = [found for module in FILES for found in imports_of(module)]
 OURS = [found for found in IMPORTS if found.target.split(".")[0] in ("simkit", "grader")]
 
@@ -257,18 +264,18 @@ def part_of(module: str) -> str:
 
 def test_every_module_belongs_to_a_part():
     rootless = [m for m in FILES if m not in ("simkit", "grader") and part_of(m) not in MAY_IMPORT]
-    assert not rootless, "give it a row in MAY_IMPORT"
+    broken_laws(rootless, f"give its package a row in MAY_IMPORT in {TABLES}: what it may import")
 
 
 def test_no_row_is_for_something_that_is_gone():
-    assert [row for row in MAY_IMPORT if not any(is_in(module, row) for module in FILES)] == []
-    places = [
-        name for at_once, later in LIBRARIES.values() for name in f"{at_once} {later}".split()
-    ]
-    places += [name for modules in CLOCKS_AND_CHANCE.values() for name in modules]
-    assert [name for name in places if not any(is_in(module, name) for module in FILES)] == []
+    named = [("MAY_IMPORT", row) for row in MAY_IMPORT]
+    for at_once, later in LIBRARIES.values():
+        named += [("LIBRARIES", name) for name in f"{at_once} {later}".split()]
+    named += [("CLOCKS_AND_CHANCE", name) for row in CLOCKS_AND_CHANCE.values() for name in row]
+    gone = [row for row in named if not any(is_in(module, row[1]) for module in FILES)]
     used = {(found.module, found.target) for found in OURS}
-    assert [exception for exception in EXCEPTIONS if exception not in used] == []
+    gone += [("EXCEPTIONS", " imports ".join(pair)) for pair in EXCEPTIONS if pair not in used]
+    broken_laws(gone, f"nothing of this name is there: take it out of its table in {TABLES}")
 
 
 def test_parts_import_only_what_is_below_them():
@@ -281,16 +288,13 @@ def test_parts_import_only_what_is_below_them():
             continue
         allowed = MAY_IMPORT.get(part, "").split()
         if not {target, found.target, found.target.split(".")[0]} & set(allowed):
-            wrong.append(str(found))
-    assert wrong == []
+            wrong.append(f"{found}; {part} may import: {' '.join(allowed) or 'nothing of ours'}")
+    broken_laws(wrong, ABOVE)
 
 
 def test_simkit_knows_nothing_of_the_grader():
-    assert [
-        str(found)
-        for found in OURS
-        if is_in(found.module, "simkit") and is_in(found.target, "grader")
-    ] == []
+    wrong = [one for one in OURS if is_in(one.module, "simkit") and is_in(one.target, "grader")]
+    broken_laws(wrong, "simkit runs without the grader: let the grader hand in what it needs")
 
 
 def test_grader_uses_the_public_names_of_simkit():
@@ -304,7 +308,11 @@ def test_grader_uses_the_public_names_of_simkit():
         is_public = found.target in SIMKIT_FOR_GRADER.split()
         if not is_public or (found.name and names is not None and found.name not in names):
             wrong.append(str(found))
-    assert wrong == []
+    broken_laws(
+        wrong,
+        f"the grader takes what is in `__all__` of the packages in SIMKIT_FOR_GRADER in {TABLES}: "
+        "add the name to its package's `__all__`, or use what is there",
+    )
 
 
 def test_no_private_name_crosses_a_package():
@@ -319,12 +327,16 @@ def test_no_private_name_crosses_a_package():
         is_private = any(part.startswith("_") and not part.startswith("__") for part in parts)
         if is_private and not is_in(found.module, home):
             wrong.append(str(found))
-    assert wrong == []
+    broken_laws(
+        wrong,
+        "a name with _ belongs to its package: drop the _, or ask a public name of the package",
+    )
 
 
 def test_nothing_imports_tests_exercises_or_solutions():
     outside = "tests exercises solutions docs benchmarks work"
-    assert [str(found) for found in IMPORTS if is_in(found.target, outside)] == []
+    wrong = [found for found in IMPORTS if is_in(found.target, outside)]
+    broken_laws(wrong, "what tests and exercises share with the packages lives in the packages")
 
 
 def test_libraries_stay_where_they_belong():
@@ -339,7 +351,11 @@ def test_libraries_stay_where_they_belong():
         allowed = f"{at_once} {later}" if found.lazy else at_once
         if not is_in(found.module, allowed):
             wrong.append(str(found))
-    assert wrong == []
+    broken_laws(
+        wrong,
+        f"LIBRARIES in {TABLES} says which modules may import a library, at once or inside of a function: "
+        "ask one of those modules, or add yours to the row and say why in docs/architecture.md",
+    )
 
 
 def test_clocks_and_chance_stay_where_they_belong():
@@ -349,7 +365,11 @@ def test_clocks_and_chance_stay_where_they_belong():
         if found.target in CLOCKS_AND_CHANCE
         and not is_in(found.module, " ".join(CLOCKS_AND_CHANCE[found.target]))
     ]
-    assert wrong == []
+    broken_laws(
+        wrong,
+        "time is that of the simulation (`node.now()`, timers, `sim.run`) and chance comes from a seed "
+        f"(`site.seed`, `sim.seed`), so that each run is the same; exceptions: CLOCKS_AND_CHANCE in {TABLES}",
+    )
 
 
 @pytest.mark.parametrize("name", COLD)
@@ -359,4 +379,8 @@ def test_a_first_import_loads_nothing_heavy(name):
     done = subprocess.run(
         [sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=ROOT
     )
-    assert sorted(set(libraries.split()) & set(done.stdout.split())) == []
+    broken_laws(
+        sorted(set(libraries.split()) & set(done.stdout.split())),
+        f"`{statement}` shall not load it: import it inside of the function that needs it "
+        "(`python -X importtime` shows who does)",
+    )

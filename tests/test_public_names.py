@@ -21,6 +21,8 @@ from typing import Any
 
 import pytest
 
+from tests.laws import broken_laws
+
 ROOT = Path(__file__).resolve().parents[1]
 LONGEST_FIRST_LINE = 100
 
@@ -80,7 +82,7 @@ def place_in_all(name: str) -> tuple[int, list[str | int]]:
 @pytest.mark.parametrize("name", promising_modules())
 def test_each_name_is_there_once_and_in_order(name: str) -> None:
     found = facts_of(name)
-    assert found["missing"] == []
+    broken_laws(found["missing"], f"`__all__` of {name} names it, but it is not there")
     assert found["promised"] == sorted(set(found["promised"]), key=place_in_all)
 
 
@@ -88,7 +90,10 @@ def test_each_name_is_there_once_and_in_order(name: str) -> None:
 def test_each_name_is_explained_in_a_short_first_line(name: str) -> None:
     lines = facts_of(name)["first lines"]
     wrong = {name: line for name, line in lines.items() if not 0 < len(line) <= LONGEST_FIRST_LINE}
-    assert wrong == {}
+    broken_laws(
+        wrong,
+        f"a name in `__all__` has a docstring whose first line is 1 to {LONGEST_FIRST_LINE} long",
+    )
 
 
 def test_the_packages_promise_something() -> None:

@@ -13,6 +13,8 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+from tests.laws import broken_laws
+
 ROOT = Path(__file__).resolve().parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 LOCKS = {
@@ -86,18 +88,20 @@ def test_no_file_names_a_place_on_somebodys_machine(texts: dict[str, str]) -> No
         for found in [*HOMES.finditer(text), *(here.finditer(text) if tell else [])]
         if not (found.re is HOMES and found[1] in INVENTED)
     ]
-    assert wrong == []
+    broken_laws(wrong, "write a path below the checkout, or a user of INVENTED in this file")
 
 
 def test_no_file_names_a_registry(texts: dict[str, str]) -> None:
     found = {path: REGISTRIES.search(text) for path, text in texts.items()}
-    assert {path: match[0] for path, match in found.items() if match} == {}
+    wrong = {path: match[0] for path, match in found.items() if match}
+    broken_laws(wrong, "packages come from wherever pip is configured: leave the address out")
 
 
 def test_notebooks_hold_no_outputs(texts: dict[str, str]) -> None:
     notebooks = {path: text for path, text in texts.items() if path.endswith(".ipynb")}
     assert notebooks
-    assert [path for path, text in notebooks.items() if '"output_type"' in text] == []
+    wrong = [path for path, text in notebooks.items() if '"output_type"' in text]
+    broken_laws(wrong, "`grader build` writes notebooks without outputs; do not save over them")
 
 
 # -- dependencies
@@ -187,8 +191,11 @@ def test_readmes_install_without_make_is_what_make_does() -> None:
 
 @pytest.mark.parametrize("command", [("ruff", "check", "."), ("ruff", "format", "--check", ".")])
 def test_ruff_is_content(command: tuple[str, ...]) -> None:
-    assert run(*command) == ""
+    broken_laws(
+        run(*command).splitlines(),
+        "`make lint` shows it; `ruff check --fix` and `ruff format` mend most",
+    )
 
 
 def test_mypy_is_content() -> None:
-    assert run("mypy") == ""
+    broken_laws(run("mypy").splitlines(), "`make lint` shows it, in a second once it has run")

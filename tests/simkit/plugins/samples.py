@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from simkit.msgs import message_class
+from tests.laws import row_of
 
 
 def link(name: str, shape: str, *, mass: float = 1.0, moment: float = 0.01, extra: str = "") -> str:
@@ -140,7 +141,7 @@ def driven(filename: str = "libgazebo_ros_diff_drive.so", robot: str = "", **tag
         robot: What it is made of, if not of what the sample is.
         **tags: What the tag of the plugin says, besides what the sample needs; None takes a tag away.
     """
-    sample = SAMPLES[filename]
+    sample = sample_of(filename)
     needed = {
         name: text
         for name, text in sample.tags.items()
@@ -270,3 +271,11 @@ SAMPLES: Mapping[str, Sample] = {
     ),
 }
 """By library."""
+
+
+def sample_of(filename: str) -> Sample:
+    """The sample of a library."""
+    sample: Sample = row_of(
+        SAMPLES, filename, "write a Sample for it into SAMPLES in tests/simkit/plugins/samples.py"
+    )
+    return sample

@@ -16,7 +16,7 @@ from simkit.msgs import Message, TVal, service_class
 from simkit.plugins import Plugin, plugins
 from simkit.plugins.parameters import tags_of
 from simkit.urdf.rules.plugin_words import PLUGINS
-from tests.simkit.plugins.samples import SAMPLES, Sample
+from tests.simkit.plugins.samples import SAMPLES, Sample, sample_of
 
 NOT_READ = {"robotNamespace", "rosDebugLevel", "legacyMode", "legacyModeNS"}
 """Words of the table that the class of parameters may lack: the site reads the first one, and nobody the others."""
@@ -52,7 +52,7 @@ class Play:
 
     def __init__(self, stage: Any, filename: str, *, rate: float = 20.0, **tags: str) -> None:
         self.stage = stage
-        self.sample: Sample = SAMPLES[filename]
+        self.sample: Sample = sample_of(filename)
         stage.run(0.1)  # a sensor in a world that has just begun waits for a period
         node = stage.gazebo.node
         self.before = endpoints(node)
@@ -222,7 +222,7 @@ def test_its_rate_holds(stage, filename, rate):
 
 @every_plugin
 def test_a_reset_puts_it_back(stage, filename):
-    if not SAMPLES[filename].begins_anew:
+    if not sample_of(filename).begins_anew:
         pytest.skip("controllers go on as if nothing had happened")
     play, executor = Play(stage, filename), stage.graph.executor
     spans = []

@@ -11,6 +11,7 @@ from simkit.diagnostics import Diagnostic, Severity
 from simkit.packages import PackagePath
 from simkit.urdf.rules import Companion, CompanionKind, all_rules, check_robot
 from simkit.xml import parse_xml
+from tests.laws import broken_laws
 
 FAULTS = Path(__file__).parents[1] / "faults"
 TABLES = sorted(FAULTS.glob("faults*.toml"))
@@ -87,10 +88,17 @@ def test_the_unfaulty_original_of_the_planted_files_is_clean(find):
 
 @pytest.mark.parametrize("rule", [rule.id for rule in all_rules()])
 def test_each_rule_finds_a_planted_fault(rule):
-    assert any(entry["rule"] == rule for entry in ENTRIES)
+    broken_laws(
+        [] if any(entry["rule"] == rule for entry in ENTRIES) else [f"{rule} finds no planted fault"],
+        f"write a file with that one fault into {FAULTS.name}/, and a [[fault]] with rule = "{rule}" into one of "
+        "faults*.toml beside it: file, severity, at = [line, column], words of the remedy",
+    )
 
 
 def test_each_file_belongs_to_a_table():
     there = {path.relative_to(FAULTS).as_posix() for path in FAULTS.rglob("*.urdf")}
     apart = {"planted/00_clean.urdf", "two_wheels_many_faults.urdf"}
-    assert there - set(FILES) - apart == set()
+    broken_laws(
+        sorted(there - set(FILES) - apart),
+        "give the file a [[fault]] in one of faults*.toml: the rule that finds it, and where",
+    )
