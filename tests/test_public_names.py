@@ -21,7 +21,8 @@ from typing import Any
 
 import pytest
 
-from tests.laws import broken_laws
+if __name__ != "__main__":  # as a program it tests nothing
+    from tests.laws import broken_laws
 
 ROOT = Path(__file__).resolve().parents[1]
 LONGEST_FIRST_LINE = 100

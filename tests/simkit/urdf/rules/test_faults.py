@@ -89,8 +89,10 @@ def test_the_unfaulty_original_of_the_planted_files_is_clean(find):
 @pytest.mark.parametrize("rule", [rule.id for rule in all_rules()])
 def test_each_rule_finds_a_planted_fault(rule):
     broken_laws(
-        [] if any(entry["rule"] == rule for entry in ENTRIES) else [f"{rule} finds no planted fault"],
-        f"write a file with that one fault into {FAULTS.name}/, and a [[fault]] with rule = "{rule}" into one of "
+        []
+        if any(entry["rule"] == rule for entry in ENTRIES)
+        else [f"{rule} finds no planted fault"],
+        f"write a file with that one fault into {FAULTS.name}/, and a [[fault]] with rule = {rule!r} into one of "
         "faults*.toml beside it: file, severity, at = [line, column], words of the remedy",
     )
 
