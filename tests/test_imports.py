@@ -120,6 +120,7 @@ LIBRARIES = {
         "simkit.physics simkit.plugins simkit.tf.transformations simkit.viz",
         "simkit.graph.process.virtual_time",
     ),
+    "transformations": ("simkit.tf.transformations", ""),
     "yaml": (
         "simkit.graph.names simkit.talking simkit.tools",
         "simkit.msgs.strify simkit.launch simkit.urdf.rules simkit.viz.rviz_config",

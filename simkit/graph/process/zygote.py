@@ -200,6 +200,9 @@ def main() -> None:
     with client.preloading():
         for name in PRELOAD:
             importlib.import_module(name)
+    # A script may have a transformations.py of its own beside it; tf keeps the package.
+    for name in [name for name in sys.modules if name.split(".")[0] == "transformations"]:
+        del sys.modules[name]
     gc.collect()
     gc.freeze()  # the nodes share these pages instead of copying them at the first collection
     zygote = Zygote(control)

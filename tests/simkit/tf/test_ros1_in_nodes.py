@@ -140,3 +140,15 @@ def test_importing_the_library_alone(sim, run_script):
         seconds=0.1,
     )
     assert node.output == "['0.1', '0.2', '0.3']\n"
+
+
+def test_a_script_may_have_a_module_that_is_named_as_the_package_below_tf(sim, run_script, package):
+    package("transformations.py", "OWN = 'mine'")
+    node = run_script(
+        """
+        import tf, transformations
+        print(transformations.OWN, len(tf.transformations.random_quaternion()))
+        """,
+        seconds=0.1,
+    )
+    assert node.output == "mine 4\n"
