@@ -151,6 +151,7 @@ CLOCKS_AND_CHANCE = {
         "simkit.graph.process.virtual_time": "replaces it in node processes",
         "simkit.live.host": "keeps a live simulation in step with the wall",
         "simkit.viz.live_turtlesim": "draws no oftener than the eye can follow, and never for most of the time",
+        "simkit.live.keyboard": "looks at the keyboard now and then",
         "simkit.viz.live_view": "sends pictures to a notebook no oftener than it can take them",
         "simkit.cli": "keeps it in step too; measures how long a node takes to start",
         "grader.run.supervise": "ends a checker that is stuck",

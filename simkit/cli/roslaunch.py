@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 from simkit.cli.complaint import FAILURE
@@ -17,6 +18,7 @@ from simkit.errors import SimkitError
 from simkit.graph.screen import StreamScreen
 from simkit.launch import Launch, LaunchPlan, listings, summary_of
 from simkit.launch.budget import MAX_LAUNCH_BYTES
+from simkit.live.jobs import keys_of_this_terminal
 from simkit.live.launch_job import CLOSING, NO_PROCESSES, exit_code_of
 from simkit.live.moving import offer_moves
 from simkit.live.windows import open_windows
@@ -89,12 +91,18 @@ def _launch(
 
 def _wait(sim: Simulation, launch: Launch, arguments: argparse.Namespace, *, alone: bool) -> End:
     """Wait until the launch is over. One without nodes has set its parameters, and stays for others."""
+    with keys_of_this_terminal(launch.nodes.values()) as hand_over:
 
-    def is_over() -> bool:
-        return launch.exit_code is not None
+        def is_over() -> bool:
+            hand_over()
+            return launch.exit_code is not None
 
-    if alone:
-        return run_for_a_person(sim, is_over, seconds=arguments.seconds, fast=arguments.fast)
+        if alone:
+            return run_for_a_person(sim, is_over, seconds=arguments.seconds, fast=arguments.fast)
+        return _host(sim, launch, is_over)
+
+
+def _host(sim: Simulation, launch: Launch, is_over: Callable[[], bool]) -> End:
     if not launch.plan.nodes:
         show(
             "no nodes: the parameters are set, and stay while this terminal runs; "

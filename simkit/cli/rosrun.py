@@ -19,6 +19,7 @@ from simkit.cli.run_options import (
 from simkit.cli.sharing import OnlyFrom, elsewhere, host, running_session
 from simkit.graph.process import ScriptNode
 from simkit.graph.screen import StreamScreen
+from simkit.live.jobs import keys_of_this_terminal
 from simkit.live.moving import offer_moves
 from simkit.live.windows import open_windows
 from simkit.running import RunningBuiltin
@@ -54,14 +55,17 @@ def run(arguments: argparse.Namespace) -> int:
         offer_moves([node])
         open_windows(sim, [node])
 
-        def is_over() -> bool:
-            return not node.alive
+        with keys_of_this_terminal([node]) as hand_over:
 
-        if alone:
-            end = run_for_a_person(sim, is_over, seconds=arguments.seconds, fast=arguments.fast)
-        else:
-            sim.graph.screen = OnlyFrom(lambda name: name == node.name, StreamScreen())
-            end = "interrupted" if host(sim, is_over) else "over"
+            def is_over() -> bool:
+                hand_over()
+                return not node.alive
+
+            if alone:
+                end = run_for_a_person(sim, is_over, seconds=arguments.seconds, fast=arguments.fast)
+            else:
+                sim.graph.screen = OnlyFrom(lambda name: name == node.name, StreamScreen())
+                end = "interrupted" if host(sim, is_over) else "over"
         if end == "interrupted":
             node.shutdown()
             sim.run_until(is_over, timeout=LAST_WORDS)

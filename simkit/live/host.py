@@ -1,4 +1,10 @@
-"""Runs a simulation at the pace of the wall clock and does what other terminals ask."""
+"""Runs a simulation at the pace of the wall clock and does what other terminals ask.
+
+A terminal and its host exchange lines of JSON. The terminal begins with its request: `token`, `argv`, and in which folders
+`here` and `folders` it stands. The host answers with `{"out": text}` as often as there is something to show, once with
+`{"keys": true}` if the command reads the keyboard, and with `{"exit": code}` at the end; `{"error": text, "exit": code}`
+refuses. A terminal that was asked for keys sends `{"key": "up"}` for each. Whoever closes the connection ends the command.
+"""
 
 from __future__ import annotations
 
@@ -105,12 +111,16 @@ class Host:
         terminal.data += data
         if not data or len(terminal.data) > MAX_REQUEST:
             self._drop(terminal)
-        elif terminal.job is None and b"\n" in terminal.data:
-            self._begin_for(terminal)
+        while terminal in self._terminals and b"\n" in terminal.data:
+            line, _, terminal.data = terminal.data.partition(b"\n")
+            if terminal.job is None:
+                self._begin_for(terminal, line)
+            else:
+                _press(terminal.job, line)
 
-    def _begin_for(self, terminal: _Terminal) -> None:
+    def _begin_for(self, terminal: _Terminal, line: bytes) -> None:
         try:
-            request = json.loads(terminal.data)
+            request = json.loads(line)
             allowed = secrets.compare_digest(str(request["token"]), self._token)
             argv = [str(word) for word in request["argv"]]
             here = str(request["here"])
@@ -128,6 +138,8 @@ class Host:
             terminal.say(error=str(error), exit=1)
             self._drop(terminal)
             return
+        if terminal.job.takes_keys:
+            terminal.say(keys=True)
         self._report(terminal)
 
     def _report(self, terminal: _Terminal) -> None:
@@ -149,3 +161,8 @@ class Host:
         terminal.connection.close()
         if terminal.job is not None and terminal.job.exit_code is None:
             terminal.job.cancel()
+
+
+def _press(job: Job, line: bytes) -> None:
+    with contextlib.suppress(ValueError, KeyError, TypeError, RecursionError):
+        job.press(str(json.loads(line)["key"]))

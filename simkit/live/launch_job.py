@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from simkit.graph.log import LogLevel
 from simkit.launch import Launch
+from simkit.live.jobs import press, takes_keys
 from simkit.simulation import Simulation
 
 NO_PROCESSES = "No processes to monitor"
@@ -32,7 +33,13 @@ class LaunchJob:
         self._shown: dict[int, int] = {}
         self._records = begin
         self.exit_code: int | None = None
+        self.takes_keys = any(map(takes_keys, launch.nodes.values()))
         self._text += self._new_lines()
+
+    def press(self, key: str) -> None:
+        """Hand a key to the nodes that take keys."""
+        for node in self._launch.nodes.values():
+            press(node, key)
 
     def poll(self) -> str:
         """What its nodes and the launch itself have said since the last time."""

@@ -12,6 +12,7 @@ from typing import Any
 from simkit.errors import UnknownNameError
 from simkit.graph import Node
 from simkit.msgs import message_class
+from simkit.tools.program import Program
 
 GREETING = """\
 Reading from keyboard
@@ -24,7 +25,7 @@ ARROWS = {"up": (1.0, 0.0), "down": (-1.0, 0.0), "left": (0.0, 1.0), "right": (0
 """Share of the linear and of the angular scale for each arrow key."""
 
 
-class TurtleTeleop:
+class TurtleTeleop(Program):
     """The node `turtle_teleop_key` of the package turtlesim; `press` is its keyboard.
 
     Args:
@@ -33,12 +34,12 @@ class TurtleTeleop:
     """
 
     def __init__(self, node: Node, _argv: list[str]) -> None:
-        self.output = GREETING
-        self._node = node
+        super().__init__(node)
         self._linear_scale = float(node.get_param("scale_linear", 2.0))
         self._angular_scale = float(node.get_param("scale_angular", 2.0))
         self._twist_class: Any = message_class("geometry_msgs/Twist")
         self._publisher = node.advertise("turtle1/cmd_vel", self._twist_class, queue_size=1)
+        self._print(GREETING)
 
     def press(self, key: str) -> None:
         """Press a key.
@@ -50,7 +51,7 @@ class TurtleTeleop:
             UnknownNameError: There is no such key.
         """
         if key == "q":
-            self._node.shutdown()
+            self._exit(0)
             return
         if key not in ARROWS:
             raise UnknownNameError("key", key, [*ARROWS, "q"])
