@@ -25,7 +25,7 @@ help:
 
 $(READY): requirements-uv.lock requirements.lock pyproject.toml
 	@$(PYTHON) -c 'import sys; assert sys.version_info >= (3, 11), "Python 3.11 or newer is needed, this is " + sys.version'
-	@echo "Making the environment in $(VENV): $$(grep -c '^[a-z].*==' requirements.lock) packages, about 300 MB to load and 800 MB on the disk, once."
+	@echo "Making the environment in $(VENV): $$(grep -c '^[a-z].*==' requirements.lock) packages, about 200 MB to load and 650 MB on the disk, once."
 	@$(PYTHON) -m venv $(VENV)
 	@$(BIN)/python -m pip install --quiet --require-hashes -r requirements-uv.lock
 	@test -t 2 || quiet=--quiet; $(UV) $$quiet --require-hashes -r requirements.lock
