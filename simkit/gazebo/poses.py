@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from simkit.geometry import Vector
 from simkit.msgs import message_class
 from simkit.physics import ORIGIN
-from simkit.tf.transform import Vector
 from simkit.urdf.kinematics import Placement, compose
 
 __all__ = ["compose", "placement_of", "pose_message", "twist_message", "vector_of"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from simkit.tf.transform import Vector
+from simkit.geometry import Vector
 from simkit.urdf.kinematics import Placement, compose, inverse
 
 _STILL = (0.0, 0.0, 0.0, 1.0)

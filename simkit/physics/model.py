@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 
 from simkit.errors import UnknownNameError
+from simkit.geometry import Vector, quaternion_from_matrix
 from simkit.physics.braking import Brakes
 from simkit.physics.errors import PhysicsError
 from simkit.physics.joint import FARTHEST, STRONGEST, ModelJoint, Ties
 from simkit.physics.plan import JointKind, ModelPlan
-from simkit.physics.poses import frame_of, isometry, placement, quaternion, then, vector
+from simkit.physics.poses import frame_of, isometry, placement, then, vector
 from simkit.physics.skeleton import Built, place_joint
-from simkit.tf.transform import Vector
 from simkit.urdf.frame import Frame
 from simkit.urdf.kinematics import Placement, inverse
 
@@ -292,4 +292,4 @@ def _mounts(plan: ModelPlan, built: Built) -> dict[str, tuple[Any, Placement]]:
 
 
 def _placement(frame: Frame) -> Placement:
-    return Placement(frame.origin, quaternion(frame.rotation))
+    return Placement(frame.origin, quaternion_from_matrix(frame.rotation))

@@ -7,10 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from simkit.geometry import Quaternion, Vector, multiply, rotate
 from simkit.physics.engine import dart
 from simkit.physics.errors import PhysicsError
-from simkit.tf.rotation import multiply, rotate
-from simkit.tf.transform import Quaternion, Vector
 from simkit.urdf.frame import Frame
 from simkit.urdf.kinematics import Placement
 from simkit.urdf.matrix import Matrix

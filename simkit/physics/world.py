@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simkit.errors import UnknownNameError
+from simkit.geometry import Vector
 from simkit.physics.contact import Contact, Owner, read_contacts
 from simkit.physics.engine import GRAVITY, STEP_NS, new_engine_world
 from simkit.physics.errors import ModelError, PhysicsError
@@ -22,7 +23,6 @@ from simkit.physics.sight import Sight
 from simkit.physics.skeleton import build, shy_pairs
 from simkit.physics.stepper import Stepper
 from simkit.physics.watch import Watch
-from simkit.tf.transform import Vector
 from simkit.urdf.kinematics import Placement
 
 ORIGIN = Placement((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))

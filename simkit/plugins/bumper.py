@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from simkit.errors import near_names
+from simkit.geometry import Vector
 from simkit.msgs import Time, message_class
 from simkit.physics import Contact, Side
 from simkit.plugins.naming import resolve_frame, tf_prefix
@@ -20,7 +21,6 @@ from simkit.plugins.sensor_rate import SensorRate
 from simkit.plugins.sensor_tag import SensorTag, read_sensor, warn_of_strangers
 from simkit.plugins.site import Site
 from simkit.plugins.tag_texts import topic_at_root
-from simkit.tf.transform import Vector
 
 MOST_STEPS = 100
 """Contacts of so many steps are kept until the sensor is due; older ones are dropped."""

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from simkit.geometry import Vector, multiply, rotate
 from simkit.msgs import message_class, service_class
 from simkit.plugins.errors import PluginError
 from simkit.plugins.imu_message import imu_message
@@ -22,8 +23,6 @@ from simkit.plugins.parameters import place, tag
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.site import Site
 from simkit.plugins.tag_texts import read_triple, read_turn, topic_at_root
-from simkit.tf.rotation import multiply, rotate
-from simkit.tf.transform import Vector
 
 DEFAULT = "/default_imu"
 """Topic and service if none is given."""

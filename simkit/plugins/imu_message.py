@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from simkit.geometry import Quaternion, Vector
 from simkit.msgs import Time, message_class
-from simkit.tf.transform import Quaternion, Vector
 
 
 def imu_message(

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from simkit.geometry import Vector, conjugate, multiply, rotate
 from simkit.msgs import message_class
 from simkit.plugins.imu_message import imu_message
 from simkit.plugins.imu_tag import AxisNoise
@@ -22,8 +23,6 @@ from simkit.plugins.sensor_rate import SensorRate
 from simkit.plugins.sensor_tag import read_sensor, sensor_pose
 from simkit.plugins.site import Site
 from simkit.plugins.tag_texts import read_triple, read_turn
-from simkit.tf.rotation import conjugate, multiply, rotate
-from simkit.tf.transform import Vector
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

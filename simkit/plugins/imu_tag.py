@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from simkit.geometry import Vector
 from simkit.plugins.noise import Noise
 from simkit.plugins.sensor_tag import SensorTag, read_noise, warn_of_strangers
 from simkit.plugins.site import Site
-from simkit.tf.transform import Vector
 
 _READ = ("angular_velocity", "linear_acceleration", "topic", "noise", "orientation_reference_frame")
 

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from simkit.geometry import Vector, rotate
 from simkit.msgs import Time, message_class
 from simkit.physics import MISS
 from simkit.plugins.beams import Floats, directions, read_ray, resampled
@@ -21,8 +22,6 @@ from simkit.plugins.plugin import Plugin
 from simkit.plugins.sensor_rate import SensorRate
 from simkit.plugins.sensor_tag import read_sensor, sensor_pose
 from simkit.plugins.site import Site
-from simkit.tf.rotation import rotate
-from simkit.tf.transform import Vector
 
 DEFAULT = "/world"
 """Topic and frame of a laser that says nothing of them; nobody means that."""

@@ -6,10 +6,10 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+from simkit.geometry import roll_pitch_yaw
 from simkit.msgs import Time, message_class
 from simkit.physics import Model
 from simkit.plugins.site import Site
-from simkit.tf.rotation import roll_pitch_yaw
 from simkit.urdf.kinematics import Placement
 
 UNKNOWN = 1e12

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from simkit.errors import near_names
+from simkit.geometry import Vector, conjugate, multiply, rotate
 from simkit.msgs import message_class
 from simkit.plugins.errors import PluginError
 from simkit.plugins.naming import resolve_frame, tf_prefix, topic_of
@@ -19,8 +20,6 @@ from simkit.plugins.parameters import place, tag
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.site import Site
 from simkit.plugins.tag_texts import read_triple, read_turn
-from simkit.tf.rotation import conjugate, multiply, rotate
-from simkit.tf.transform import Vector
 from simkit.urdf.kinematics import Placement
 
 WORLD_FRAMES = ("world", "/world", "map", "/map")

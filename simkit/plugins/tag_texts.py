@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
+from simkit.geometry import Quaternion, Vector
 from simkit.plugins.errors import PluginError
 from simkit.plugins.naming import topic_of
 from simkit.plugins.parameters import place
 from simkit.plugins.site import Site
-from simkit.tf.transform import Quaternion, Vector
 from simkit.urdf.kinematics import pose_transform
 from simkit.urdf.model import Pose
 

@@ -7,6 +7,7 @@ One rule: T_ab takes coordinates in b to coordinates in a, and is the pose of b 
 T_ac = T_ab T_bc, and `lookup_transform("a", "b")` is T_ab.
 """
 
+from simkit.geometry import Transform
 from simkit.tf.broadcaster import StaticTransformBroadcaster, TransformBroadcaster
 from simkit.tf.buffer import LATEST, Buffer
 from simkit.tf.buffer_core import BufferCore
@@ -22,7 +23,7 @@ from simkit.tf.errors import (
 )
 from simkit.tf.feed import TransformFeed
 from simkit.tf.listener import TransformListener
-from simkit.tf.transform import Transform
+from simkit.tf.transform import StampedTransform
 from simkit.tf.words import in_words
 
 __all__ = [
@@ -34,6 +35,7 @@ __all__ = [
     "ExtrapolationException",
     "InvalidArgumentException",
     "LookupException",
+    "StampedTransform",
     "StaticTransformBroadcaster",
     "TimeoutException",
     "Transform",

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import Final
 
-from simkit.tf.transform import Quaternion, Vector
+from simkit.geometry import Quaternion, Vector
 
 NORM_TOLERANCE: Final = 0.01
 "Largest accepted distance of |q|² from 1."

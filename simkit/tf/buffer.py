@@ -10,7 +10,7 @@ from simkit.tf.buffer_core import DEFAULT_CACHE_TIME, BufferCore
 from simkit.tf.errors import TransformException
 from simkit.tf.hints import teach
 from simkit.tf.time_argument import nanoseconds
-from simkit.tf.transform import Transform
+from simkit.tf.transform import StampedTransform
 
 LATEST: Final = Time(0)
 "As a time: the latest at which the whole way has data."
@@ -235,7 +235,7 @@ class Buffer:
             static=static,
         )
 
-    def _message(self, found: Transform, target: str, source: str) -> Any:
+    def _message(self, found: StampedTransform, target: str, source: str) -> Any:
         message: Any = self._transform_stamped()
         message.header.stamp = Time.from_nsec(found.stamp)
         message.header.frame_id = target

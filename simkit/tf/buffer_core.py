@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
+from simkit.geometry import Quaternion, Transform, Vector, canonical
 from simkit.tf import frame_report
 from simkit.tf.admission import is_admissible, objections, without_slash
 from simkit.tf.cache import LATEST
@@ -12,8 +13,7 @@ from simkit.tf.common_time import latest_common_time
 from simkit.tf.errors import InvalidArgumentException, LookupException, TransformException
 from simkit.tf.frame_table import NO_FRAME, FrameTable
 from simkit.tf.path import frames_between, transform_between
-from simkit.tf.rotation import compose, through_matrix
-from simkit.tf.transform import IDENTITY, ORIGIN, Quaternion, Transform, Vector
+from simkit.tf.transform import StampedTransform
 from simkit.tf.transformable import TransformableRequests
 
 DEFAULT_CACHE_TIME: Final = 10_000_000_000
@@ -101,7 +101,7 @@ class BufferCore:
             self._warn(fault)
         return False
 
-    def lookup(self, target: str, source: str, *, time: int = LATEST) -> Transform:
+    def lookup(self, target: str, source: str, *, time: int = LATEST) -> StampedTransform:
         """T_ab for a = `target` and b = `source`.
 
         A frame seen from itself is the identity, also if nobody ever heard of it.
@@ -113,7 +113,7 @@ class BufferCore:
             ExtrapolationException: A frame on the way lacks data at `time`.
         """
         if target == source:
-            return Transform(ORIGIN, IDENTITY, time or self._newest_stamp(target))
+            return StampedTransform(Transform(), time or self._newest_stamp(target))
         return transform_between(
             self.frames,
             self._number(target, "lookupTransform argument target_frame"),
@@ -123,7 +123,7 @@ class BufferCore:
 
     def lookup_full(
         self, target: str, source: str, *, target_time: int, source_time: int, fixed: str
-    ) -> Transform:
+    ) -> StampedTransform:
         """Where `source` was at `source_time`, seen from where `target` was at `target_time`.
 
         Args:
@@ -143,11 +143,8 @@ class BufferCore:
             self._number(name, f"lookupTransform argument {role}_frame")
         from_source = self.lookup(fixed, source, time=source_time)
         to_target = self.lookup(target, fixed, time=target_time)
-        factors = (
-            t._replace(rotation=through_matrix(t.rotation)) for t in (to_target, from_source)
-        )
-        product = compose(*factors)
-        return product._replace(rotation=through_matrix(product.rotation))
+        product = _canonical(to_target.transform) @ _canonical(from_source.transform)
+        return StampedTransform(_canonical(product), to_target.stamp)
 
     def can_transform(self, target: str, source: str, *, time: int = LATEST) -> tuple[bool, str]:
         """Whether `lookup` would answer, and if not, why (empty for a name that is no name)."""
@@ -275,6 +272,10 @@ class BufferCore:
         except TransformException as error:
             return False, str(error)
         return True, ""
+
+
+def _canonical(transform: Transform) -> Transform:
+    return Transform(transform.translation, canonical(transform.rotation))
 
 
 def _name_fault(name: str, role: str) -> str:

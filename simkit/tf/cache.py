@@ -5,8 +5,7 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from typing import Final, TypeAlias
 
-from simkit.tf.rotation import slerp
-from simkit.tf.transform import Quaternion, Vector
+from simkit.geometry import Quaternion, Vector, slerp
 
 Edge: TypeAlias = tuple[int, Vector, Quaternion]
 """Id of the parent, and the transform that takes coordinates in the frame to the parent's.

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Final, NamedTuple
 
+from simkit.geometry import Quaternion, Vector
 from simkit.tf import frame_report
 from simkit.tf.errors import LookupException
 from simkit.tf.frame_table import FrameTable
-from simkit.tf.transform import Quaternion, Vector
 
 MAX_DEPTH: Final = 1000
 "Longest way to a root; a longer one is taken for a loop."
@@ -51,7 +51,7 @@ def climb(table: FrameTable, start: int, *, time: int, goals: tuple[int, int]) -
         edge = cache.at(time)
         if edge is None or not edge[0]:
             return Climb(frame, True, (x, y, z), (qx, qy, qz, qw))
-        # This is `rotation.compose`, written out: it is where a lookup spends its time.
+        # This is `Transform.__matmul__`, written out: it is where a lookup spends its time.
         frame, (dx, dy, dz), (ex, ey, ez, ew) = edge
         tx, ty, tz = 2.0 * (ey * z - ez * y), 2.0 * (ez * x - ex * z), 2.0 * (ex * y - ey * x)
         scale = ex * ex + ey * ey + ez * ez + ew * ew

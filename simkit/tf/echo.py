@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
+from simkit.geometry import canonical, roll_pitch_yaw
 from simkit.msgs import Time
 from simkit.tf.admission import without_slash
 from simkit.tf.buffer import Buffer
 from simkit.tf.errors import TransformException
-from simkit.tf.rotation import roll_pitch_yaw, through_matrix
 
 
 def echo_text(buffer: Buffer, source: str, target: str, now: Time, precision: int = 3) -> str:
@@ -43,7 +43,7 @@ def echo_text(buffer: Buffer, source: str, target: str, now: Time, precision: in
     return (
         f"At time {found.stamp / 1e9:.{precision}f}\n"
         f"- Translation: {_row(found.translation, precision)}\n"
-        f"- Rotation: in Quaternion {_row(through_matrix(found.rotation), precision)}\n"
+        f"- Rotation: in Quaternion {_row(canonical(found.rotation), precision)}\n"
         f"{indent}in RPY (radian) {_row(angles, precision)}\n"
         f"{indent}in RPY (degree) {_row(degrees, precision)}\n"
     )

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Final, TypeAlias
 
+from simkit.geometry import Quaternion, Vector
 from simkit.tf.cache import TimeCache
 from simkit.tf.static_cache import StaticCache
-from simkit.tf.transform import Quaternion, Vector
 
 Cache: TypeAlias = TimeCache | StaticCache
 

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from simkit.geometry import Transform
 from simkit.tf.cache import LATEST
 from simkit.tf.climb import Climb, climb
 from simkit.tf.common_time import latest_common_time, unconnected
 from simkit.tf.errors import DataGap, ExtrapolationException, TransformException
 from simkit.tf.frame_table import FrameTable
-from simkit.tf.rotation import compose, inverse
-from simkit.tf.transform import IDENTITY, ORIGIN, Transform
+from simkit.tf.transform import StampedTransform
 
 
-def transform_between(table: FrameTable, target: int, source: int, *, time: int) -> Transform:
+def transform_between(
+    table: FrameTable, target: int, source: int, *, time: int
+) -> StampedTransform:
     """T_ab for a = `target` and b = `source`, both by number, at `time` [ns].
 
     Raises:
@@ -24,20 +26,20 @@ def transform_between(table: FrameTable, target: int, source: int, *, time: int)
         target climbs until it meets it. So data above the place where they meet may be missing.
     """
     if target == source:
-        return Transform(ORIGIN, IDENTITY, time)
+        return StampedTransform(Transform(), time)
     if time == LATEST:
         time = latest_common_time(table, target, source)
     up = climb(table, source, time=time, goals=(target, target))
-    from_source = Transform(up.translation, up.rotation, time)
+    from_source = Transform(up.translation, up.rotation)
     if up.top == target:
-        return from_source
+        return StampedTransform(from_source, time)
     down = climb(table, target, time=time, goals=(up.top, source))
-    to_target = inverse(Transform(down.translation, down.rotation, time))
+    to_target = Transform(down.translation, down.rotation).inverse()
     if down.top == source:
-        return to_target
+        return StampedTransform(to_target, time)
     if down.top != up.top:
         raise _no_way(table, target, source, time=time, climbs=(up, down))
-    return compose(to_target, from_source)
+    return StampedTransform(to_target @ from_source, time)
 
 
 def frames_between(table: FrameTable, target: int, source: int, *, time: int) -> list[int]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from simkit.geometry import Quaternion
 from simkit.tf.admission import NORM_TOLERANCE
-from simkit.tf.transform import Quaternion
 
 
 def rotation_advice(child: str, rotation: Quaternion) -> str:

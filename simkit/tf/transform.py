@@ -1,28 +1,26 @@
-"""The values that TF computes with: plain tuples of floats, metres and radians."""
+"""What a lookup answers: a rigid transform, and the time that it holds for."""
 
 from __future__ import annotations
 
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
-Vector: TypeAlias = tuple[float, float, float]
-"x, y, z [m]."
-
-Quaternion: TypeAlias = tuple[float, float, float, float]
-"x, y, z, w; as it was broadcast, which tf2 never normalises."
-
-IDENTITY: Quaternion = (0.0, 0.0, 0.0, 1.0)
-ORIGIN: Vector = (0.0, 0.0, 0.0)
+from simkit.geometry import Quaternion, Transform, Vector
 
 
-class Transform(NamedTuple):
-    """T_ab: takes coordinates in frame b (source) to coordinates in frame a (target).
+class StampedTransform(NamedTuple):
+    """T_ab at a time, for a = target and b = source; its quaternion is what was broadcast."""
 
-    A named tuple rather than a dataclass: a lookup makes one in a third of the time.
-    """
-
-    translation: Vector
-    "Origin of b seen from a [m]."
-    rotation: Quaternion
-    "Orientation of b seen from a, xyzw."
+    transform: Transform
+    """T_ab; tf2 never normalises it."""
     stamp: int
-    "Time the transform holds for [ns]."
+    """Time it holds for [ns]."""
+
+    @property
+    def translation(self) -> Vector:
+        """Origin of b seen from a [m]."""
+        return self.transform.translation
+
+    @property
+    def rotation(self) -> Quaternion:
+        """Orientation of b seen from a, xyzw."""
+        return self.transform.rotation

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 
-from simkit.tf.rotation import roll_pitch_yaw
-from simkit.tf.transform import Transform
+from simkit.geometry import Transform, roll_pitch_yaw
+from simkit.tf.transform import StampedTransform
 
 _NOTHING = 0.0005
 "Below this [m, rad] nothing is said."
 
 
-def in_words(target: str, source: str, transform: Transform) -> str:
+def in_words(target: str, source: str, transform: Transform | StampedTransform) -> str:
     """One sentence for T_ab: where b (source) is, seen from a (target).
 
     Args:

@@ -17,8 +17,16 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from simkit.errors import UnknownNameError
-from simkit.tf.rotation import conjugate, multiply, rotate, through_matrix
-from simkit.tf.transform import IDENTITY, ORIGIN, Quaternion, Vector
+from simkit.geometry import (
+    IDENTITY,
+    ORIGIN,
+    Quaternion,
+    Vector,
+    canonical,
+    conjugate,
+    multiply,
+    rotate,
+)
 from simkit.urdf.loading import UrdfError
 from simkit.urdf.model import Joint, JointType, Pose, Robot
 from simkit.urdf.urdfdom.tree import children_by_link
@@ -35,7 +43,7 @@ class Placement(NamedTuple):
 
 def pose_transform(pose: Pose) -> Placement:
     """T_ab of a frame b that stands at a pose in a frame a."""
-    return Placement(pose.xyz, through_matrix(_rpy_quaternion(pose.rpy)))
+    return Placement(pose.xyz, canonical(_rpy_quaternion(pose.rpy)))
 
 
 def joint_transform(joint: Joint, position: float) -> Placement:
@@ -52,10 +60,10 @@ def joint_transform(joint: Joint, position: float) -> Placement:
     (x, y, z), rotation = joint.origin.xyz, _rpy_quaternion(joint.origin.rpy)
     if joint.type is JointType.PRISMATIC:
         dx, dy, dz = rotate(rotation, _scaled(_unit(joint.axis), position))
-        return Placement((x + dx, y + dy, z + dz), through_matrix(rotation))
+        return Placement((x + dx, y + dy, z + dz), canonical(rotation))
     if joint.type in (JointType.REVOLUTE, JointType.CONTINUOUS):
         rotation = multiply(rotation, _turn(_unit(joint.axis), position))
-    return Placement((x, y, z), through_matrix(rotation))
+    return Placement((x, y, z), canonical(rotation))
 
 
 def joint_positions(robot: Robot, positions: Mapping[str, float]) -> dict[str, float]:

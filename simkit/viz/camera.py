@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from simkit.tf.transform import Vector
+from simkit.geometry import Vector
 from simkit.viz.drawing import Point
 
 FIELD_OF_VIEW: Final = math.radians(30.0)

@@ -7,7 +7,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from simkit.tf.transform import Vector
+from simkit.geometry import Vector
 from simkit.viz import scene_style as style
 from simkit.viz.camera import NEAR, Camera, focal_length
 from simkit.viz.drawing import Point

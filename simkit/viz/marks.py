@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, Final, TypeAlias
 
-from simkit.tf.transform import Vector
+from simkit.geometry import Vector
 
 Polyline: TypeAlias = tuple[Vector, ...]
 """Corners of a line in the fixed frame [m]."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from simkit.tf.transform import Vector
+from simkit.geometry import Vector
 from simkit.urdf.mesh_file import MeshError, load_mesh
 from simkit.viz.solid import TriangleMesh
 

@@ -10,7 +10,7 @@ from typing import Final
 import numpy as np
 
 from simkit.errors import SimkitError
-from simkit.tf.transform import Vector
+from simkit.geometry import Vector
 from simkit.urdf import Joint, JointType
 from simkit.urdf.kinematics import forward_kinematics
 from simkit.viz.robot_solids import RobotInTf

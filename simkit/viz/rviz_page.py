@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Final
 
-from simkit.tf.rotation import roll_pitch_yaw
+from simkit.geometry import roll_pitch_yaw
 from simkit.viz.drawing import Point
 from simkit.viz.letters import shortened
 from simkit.viz.library import packed_library

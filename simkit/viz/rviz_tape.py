@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
+from simkit.geometry import Vector
 from simkit.tf import Buffer
-from simkit.tf.transform import Vector
 from simkit.viz.robot_solids import RobotShapes
 from simkit.viz.rviz_settings import RvizSettings
 from simkit.viz.scene import Scene, corners, make_scene

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from simkit.geometry import IDENTITY, Quaternion, Vector, multiply, rotate
 from simkit.msgs import Time
 from simkit.tf import LATEST, Buffer
-from simkit.tf.rotation import multiply, rotate
-from simkit.tf.transform import IDENTITY, Quaternion, Vector
 from simkit.viz.marks import Marks
 from simkit.viz.robot_solids import RobotShapes
 from simkit.viz.scene_style import LOST_ALPHA, LOST_COLOR, rgb

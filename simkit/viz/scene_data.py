@@ -6,7 +6,7 @@ import base64
 from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
-from simkit.tf.transform import Quaternion, Vector
+from simkit.geometry import Quaternion, Vector
 from simkit.urdf import Box, Cylinder, Sphere
 from simkit.viz import scene_style as style
 from simkit.viz.camera import FIELD_OF_VIEW

@@ -9,8 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from simkit.tf.rotation import multiply
-from simkit.tf.transform import IDENTITY, Quaternion, Vector
+from simkit.geometry import IDENTITY, Quaternion, Vector, multiply, quaternion_from_z
 from simkit.viz import scene_style as style
 from simkit.viz.marks import POINT_SIZE, Marks
 from simkit.viz.scene import PlacedSolid, Scene
@@ -18,7 +17,6 @@ from simkit.viz.solid import Color, Role
 from simkit.viz.stage import Stage
 from simkit.viz.surfaces import Array, Surface, joined, surface_of, unit_box, unit_cylinder
 from simkit.viz.tf_scene import FramePose
-from simkit.viz.turns import turn_from_z
 
 _HALF = math.sqrt(0.5)
 _FROM_Z: tuple[Quaternion, ...] = (
@@ -125,7 +123,7 @@ def _arrow(
     if way < 1e-9:
         return
     x, y, z = ((b - a) / way for a, b in zip(start, end, strict=True))
-    turn, middle = turn_from_z((x, y, z)), _along(start, (x, y, z), way / 2)
+    turn, middle = quaternion_from_z((x, y, z)), _along(start, (x, y, z), way / 2)
     thick = style.ARROW_RADIUS * length
     yield rod.placed(middle, turn, (thick, thick, way)), style.ARROW_COLOR
     if way > 2 * style.HEAD_LENGTH * length:

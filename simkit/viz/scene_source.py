@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Final
 
+from simkit.geometry import Vector
 from simkit.graph.params import ParameterServer
 from simkit.packages import PackagePath
 from simkit.tf import Buffer
-from simkit.tf.transform import Vector
 from simkit.viz.marks import Marks
 from simkit.viz.robot_description import RobotDisplay, described_robot
 from simkit.viz.robot_room import robot_room

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from simkit.tf.transform import Vector
+from simkit.geometry import Vector
 from simkit.viz.solid import Color
 
 AXIS_COLORS: Final = ("#e03b3b", "#2ba84a", "#3f82f2")

@@ -6,7 +6,7 @@ import enum
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from simkit.tf.transform import IDENTITY, ORIGIN, Quaternion, Vector
+from simkit.geometry import IDENTITY, ORIGIN, Quaternion, Vector
 from simkit.urdf import Box, Cylinder, Sphere
 
 Color: TypeAlias = tuple[float, float, float]

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from simkit.tf.transform import Vector
+from simkit.geometry import Vector
 from simkit.viz.camera import Camera, fitted
 from simkit.viz.tf_scene import FramePose, TfScene
 

@@ -11,7 +11,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from simkit.tf.transform import Quaternion, Vector
+from simkit.geometry import Quaternion, Vector
 from simkit.urdf import Box, Cylinder, Sphere
 from simkit.viz.solid import SolidShape, TriangleMesh
 

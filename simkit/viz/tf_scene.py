@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from simkit.errors import near_names
+from simkit.geometry import Quaternion, Vector, rotate
 from simkit.msgs import Time
 from simkit.tf import (
     LATEST,
@@ -17,8 +18,6 @@ from simkit.tf import (
     Transform,
     TransformException,
 )
-from simkit.tf.rotation import rotate
-from simkit.tf.transform import Quaternion, Vector
 from simkit.viz.forest import forest_of
 
 _AXES: tuple[Vector, Vector, Vector] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -94,7 +93,7 @@ def tf_scene(
             reason = _reason(error, time)
             problems.append(f"No transform from [{name}] to [{fixed_frame}]: {reason}")
             continue
-        pose = _pose(name, core.parent_of(name, time=time.to_nsec()), found)
+        pose = _pose(name, core.parent_of(name, time=time.to_nsec()), found.transform)
         if pose is None:
             problems.append(f"No transform from [{name}] to [{fixed_frame}]: it is too far away.")
         else:

@@ -7,9 +7,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, Final, Protocol
 
+from simkit.geometry import roll_pitch_yaw
 from simkit.msgs import Duration, Message, Time
 from simkit.tf import Buffer, BufferCore, TransformException
-from simkit.tf.rotation import roll_pitch_yaw
 
 SAMPLES: Final = 801
 """So many values are taken of a transform."""

@@ -6,11 +6,10 @@ import math
 from dataclasses import dataclass
 
 from simkit.gazebo.spawned import Spawned
+from simkit.geometry import Vector, rotate
 from simkit.physics import Model, ModelJoint
 from simkit.plugins.diff_drive import DiffDriveParameters
 from simkit.plugins.skid_steer_drive import SkidSteerDriveParameters
-from simkit.tf.rotation import rotate
-from simkit.tf.transform import Vector
 from simkit.urdf.frame import Frame
 from simkit.urdf.model import Cylinder, Sphere
 from simkit.urdf.wheel import round_part

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from simkit.geometry import Vector
 from simkit.physics import Model, Plane, World
 from simkit.physics.poses import frame_of
-from simkit.tf.transform import Vector
 from simkit.urdf.placed_shape import PlacedShape
 
 

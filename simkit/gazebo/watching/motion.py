@@ -9,8 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from simkit.gazebo.watching.drive import Drive
-from simkit.tf.rotation import roll_pitch_yaw
-from simkit.tf.transform import Vector
+from simkit.geometry import Vector, roll_pitch_yaw
 
 LOOK_S = 0.1
 """Time between two looks [s]."""

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from simkit.geometry import Quaternion, Vector
 from simkit.msgs import Time, message_class
-from simkit.tf.transform import Quaternion, Vector
 from simkit.urdf import Joint, JointType, Robot
 from simkit.urdf.kinematics import joint_transform, pose_transform
 

@@ -8,10 +8,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from simkit.errors import SimkitError
+from simkit.geometry import Quaternion, Vector, multiply
 from simkit.graph import Node
 from simkit.msgs import message_class
-from simkit.tf.rotation import multiply
-from simkit.tf.transform import Quaternion, Vector
 from simkit.tools.numbers import is_number
 
 YPR = ("x", "y", "z", "yaw", "pitch", "roll")

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from simkit.geometry import roll_pitch_yaw
 from simkit.graph import Node
 from simkit.msgs import Duration
 from simkit.tf import (
@@ -18,8 +19,7 @@ from simkit.tf import (
     TransformListener,
 )
 from simkit.tf.hints import hint_for
-from simkit.tf.rotation import roll_pitch_yaw
-from simkit.tf.transform import Transform
+from simkit.tf.transform import StampedTransform
 from simkit.tools.command_line import ArgumentParser
 from simkit.tools.errors import UsageError
 from simkit.tools.numbers import leading_number
@@ -124,7 +124,7 @@ def _positive_count(text: str) -> int:
     return int(text)
 
 
-def _block(found: Transform, now: float, *, precision: int) -> str:
+def _block(found: StampedTransform, now: float, *, precision: int) -> str:
     angles = roll_pitch_yaw(found.rotation)
     indent = " " * 12
 

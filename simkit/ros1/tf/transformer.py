@@ -6,12 +6,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from simkit.geometry import Vector
 from simkit.msgs import Duration, Time
 from simkit.tf.admission import without_slash
 from simkit.tf.buffer import Buffer
 from simkit.tf.errors import TransformException
 from simkit.tf.frame_report import frame_reports
-from simkit.tf.transform import Vector
 
 from .patience import noticing, time_passes_on_failure, wait_until
 from .twist import twist_between

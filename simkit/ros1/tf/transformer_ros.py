@@ -6,9 +6,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from simkit.geometry import Quaternion, Transform, Vector, canonical, multiply
 from simkit.msgs import message_class
-from simkit.tf.rotation import compose, multiply, rotate, through_matrix
-from simkit.tf.transform import Quaternion, Transform, Vector
 
 from . import transformations
 from .transformer import Transformer
@@ -45,7 +44,7 @@ class TransformerROS(Transformer):
         """
         transform = self._transform(target_frame, ps.header)
         result = _result("geometry_msgs/PointStamped", target_frame, ps)
-        _fill(result.point, _moved(transform, _values(ps.point)))
+        _fill(result.point, transform.apply(_values(ps.point)))
         return result
 
     def transformVector3(self, target_frame: str, v3s: Any) -> Any:
@@ -56,7 +55,7 @@ class TransformerROS(Transformer):
         """
         transform = self._transform(target_frame, v3s.header)
         result = _result("geometry_msgs/Vector3Stamped", target_frame, v3s)
-        _fill(result.vector, rotate(transform.rotation, _values(v3s.vector)))
+        _fill(result.vector, transform.rotate(_values(v3s.vector)))
         return result
 
     def transformQuaternion(self, target_frame: str, ps: Any) -> Any:
@@ -68,7 +67,7 @@ class TransformerROS(Transformer):
         transform = self._transform(target_frame, ps.header)
         result = _result("geometry_msgs/QuaternionStamped", target_frame, ps)
         turned = multiply(transform.rotation, _rotation(ps.quaternion))
-        _fill(result.quaternion, through_matrix(turned))
+        _fill(result.quaternion, canonical(turned))
         return result
 
     def transformPose(self, target_frame: str, ps: Any) -> Any:
@@ -79,10 +78,10 @@ class TransformerROS(Transformer):
         """
         transform = self._transform(target_frame, ps.header)
         result = _result("geometry_msgs/PoseStamped", target_frame, ps)
-        pose = Transform(_values(ps.pose.position), _rotation(ps.pose.orientation), 0)
-        moved = compose(transform, pose)
+        pose = Transform(_values(ps.pose.position), _rotation(ps.pose.orientation))
+        moved = transform @ pose
         _fill(result.pose.position, moved.translation)
-        _fill(result.pose.orientation, through_matrix(moved.rotation))
+        _fill(result.pose.orientation, canonical(moved.rotation))
         return result
 
     def transformPointCloud(self, target_frame: str, point_cloud: Any) -> Any:
@@ -96,7 +95,7 @@ class TransformerROS(Transformer):
         result.channels = point_cloud.channels
         point_class = message_class("geometry_msgs/Point32")
         result.points = [
-            point_class(*_moved(transform, _values(point))) for point in point_cloud.points
+            point_class(*transform.apply(_values(point))) for point in point_cloud.points
         ]
         return result
 
@@ -105,7 +104,7 @@ class TransformerROS(Transformer):
         (x, y, z), (qx, qy, qz, qw) = self.lookupTransform(
             target_frame, header.frame_id, header.stamp
         )
-        return Transform((x, y, z), through_matrix((qx, qy, qz, qw)), header.stamp.to_nsec())
+        return Transform((x, y, z), canonical((qx, qy, qz, qw)))
 
 
 def _result(message_type: str, frame: str, given: Any) -> Any:
@@ -115,12 +114,6 @@ def _result(message_type: str, frame: str, given: Any) -> Any:
     return result
 
 
-def _moved(transform: Transform, point: Vector) -> Vector:
-    x, y, z = rotate(transform.rotation, point)
-    tx, ty, tz = transform.translation
-    return (tx + x, ty + y, tz + z)
-
-
 def _values(message: Any) -> Vector:
     return (message.x, message.y, message.z)
 
@@ -128,7 +121,7 @@ def _values(message: Any) -> Vector:
 def _rotation(message: Any) -> Quaternion:
     """The message's quaternion with unit length; all zeros, as in a new message, turn nothing."""
     q = (message.x, message.y, message.z, message.w)
-    return through_matrix(q) if any(q) else (0.0, 0.0, 0.0, 1.0)
+    return canonical(q) if any(q) else (0.0, 0.0, 0.0, 1.0)
 
 
 def _fill(message: Any, values: tuple[float, ...]) -> None:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import math
 
+from simkit.geometry import Quaternion, Vector, canonical, conjugate, multiply, rotate
 from simkit.tf.buffer_core import BufferCore
-from simkit.tf.rotation import compose, conjugate, multiply, rotate, through_matrix
-from simkit.tf.transform import IDENTITY, Quaternion, Transform, Vector
 
 _FIRST_TIME = 100_000
 "Earliest start of an interval [ns], as 0 would ask for the latest."
@@ -56,18 +55,16 @@ def twist_between(
     velocity = _quotient(_difference(last.translation, first.translation), seconds)
     spin = _quotient(_turn(first.rotation, last.rotation), seconds)
 
-    axes = through_matrix(core.lookup(reference, observation, time=middle).rotation)
+    axes = canonical(core.lookup(reference, observation, time=middle).rotation)
     velocity, spin = rotate(axes, velocity), rotate(axes, spin)
-    place = compose(
-        core.lookup(reference, point_frame, time=middle), Transform(point, IDENTITY, 0)
-    ).translation
+    place = core.lookup(reference, point_frame, time=middle).transform.apply(point)
     arm = _difference(place, core.lookup(reference, tracking, time=middle).translation)
     return _sum(velocity, _cross(spin, arm)), spin
 
 
 def _turn(start: Quaternion, end: Quaternion) -> Vector:
     """Rotation vector [rad], in the observer's axes, of the turn from `start` to `end`."""
-    x, y, z, w = through_matrix(multiply(end, conjugate(start)))
+    x, y, z, w = canonical(multiply(end, conjugate(start)))
     sine = math.sqrt(x * x + y * y + z * z)
     if sine == 0.0:
         return (0.0, 0.0, 0.0)

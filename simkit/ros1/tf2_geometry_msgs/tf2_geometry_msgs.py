@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from simkit.geometry import IDENTITY, Quaternion, Transform, Vector, canonical, rotate
 from simkit.msgs import message_class
-from simkit.tf.rotation import compose, rotate, through_matrix
-from simkit.tf.transform import IDENTITY, Quaternion, Transform, Vector
 
 if TYPE_CHECKING:
     from simkit.ros1 import tf2_ros
@@ -23,9 +22,8 @@ _T = TypeVar("_T")
 
 def do_transform_point(point: Any, transform: Any) -> Any:
     """A geometry_msgs/PointStamped in the frame of the transform: turned and moved."""
-    pose = compose(_values(transform), Transform(_xyz(point.point), IDENTITY, 0))
     result = _result("geometry_msgs/PointStamped", transform)
-    _fill(result.point, pose.translation)
+    _fill(result.point, _values(transform).apply(_xyz(point.point)))
     return result
 
 
@@ -38,11 +36,11 @@ def do_transform_vector3(vector3: Any, transform: Any) -> Any:
 
 def do_transform_pose(pose: Any, transform: Any) -> Any:
     """A geometry_msgs/PoseStamped in the frame of the transform."""
-    given = Transform(_xyz(pose.pose.position), _xyzw(pose.pose.orientation), 0)
-    moved = compose(_values(transform), given)
+    given = Transform(_xyz(pose.pose.position), _xyzw(pose.pose.orientation))
+    moved = _values(transform) @ given
     result = _result("geometry_msgs/PoseStamped", transform)
     _fill(result.pose.position, moved.translation)
-    _fill(result.pose.orientation, through_matrix(moved.rotation))
+    _fill(result.pose.orientation, canonical(moved.rotation))
     return result
 
 
@@ -66,7 +64,7 @@ def from_msg_msg(msg: _T) -> _T:
 
 
 def _values(transform: Any) -> Transform:
-    return Transform(_xyz(transform.transform.translation), _xyzw(transform.transform.rotation), 0)
+    return Transform(_xyz(transform.transform.translation), _xyzw(transform.transform.rotation))
 
 
 def _xyz(message: Any) -> Vector:

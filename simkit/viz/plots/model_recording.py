@@ -10,9 +10,9 @@ from collections.abc import Callable, Mapping
 from typing import Any, Protocol
 
 from simkit.errors import SimkitError, UnknownNameError
+from simkit.geometry import Quaternion, Vector
 from simkit.graph import Node
 from simkit.msgs import Duration, Message, Time, message_class
-from simkit.tf.transform import Quaternion, Vector
 
 FASTEST = 1000.0
 """No more samples a second are taken: physics has no more steps."""

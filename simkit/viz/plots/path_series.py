@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
-from simkit.tf.rotation import roll_pitch_yaw
+from simkit.geometry import roll_pitch_yaw
 from simkit.viz.plots.recorded import timed
 from simkit.viz.transform_series import RecordedTopics
 

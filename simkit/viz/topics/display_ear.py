@@ -10,15 +10,13 @@ from collections import deque
 from typing import Any, Final
 
 from simkit.errors import near_names
+from simkit.geometry import Quaternion, Transform, Vector
 from simkit.tf import (
     Buffer,
     ConnectivityException,
     ExtrapolationException,
-    Transform,
     TransformException,
 )
-from simkit.tf.rotation import multiply, rotate
-from simkit.tf.transform import IDENTITY, ORIGIN, Quaternion, Vector
 from simkit.viz.topics.displays import LaserScanDisplay, OdometryDisplay, TopicDisplay, label
 from simkit.viz.topics.topic_marks import NOTHING, Shown, arrow_line, path_shown, scan_shown
 
@@ -129,8 +127,8 @@ class DisplayEar:
     def _lookup(self, header: Any) -> Transform:
         frame = header.frame_id.lstrip("/")
         if frame == self._fixed_frame:  # is no question, also if nobody ever broadcast it
-            return Transform(ORIGIN, IDENTITY, 0)
-        return self._core.lookup(self._fixed_frame, frame, time=header.stamp.to_nsec())
+            return Transform()
+        return self._core.lookup(self._fixed_frame, frame, time=header.stamp.to_nsec()).transform
 
     def _missing(self, frame: str, error: TransformException) -> str:
         frame = frame.lstrip("/")
@@ -159,10 +157,9 @@ def _pose(pose: Any, place: Transform) -> tuple[Vector, Quaternion]:
     """A pose of a message in the fixed frame."""
     p, q = pose.position, pose.orientation
     length = math.hypot(q.x, q.y, q.z, q.w)
-    x, y, z = rotate(place.rotation, (p.x, p.y, p.z))
-    a, b, c = place.translation
     turn = (q.x / length, q.y / length, q.z / length, q.w / length)
-    return (a + x, b + y, c + z), multiply(place.rotation, turn)
+    found = place @ Transform((p.x, p.y, p.z), turn)
+    return found.translation, found.rotation
 
 
 def _angle(a: Quaternion, b: Quaternion) -> float:

@@ -8,8 +8,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from simkit.tf.rotation import rotate
-from simkit.tf.transform import Quaternion, Transform, Vector
+from simkit.geometry import Quaternion, Transform, Vector, rotate
 from simkit.viz import scene_style as style
 from simkit.viz.letters import shortened
 from simkit.viz.marks import Marks, Polyline

@@ -8,13 +8,10 @@ from typing import Final
 
 import numpy as np
 
+from simkit.geometry import Quaternion, Vector, multiply, quaternion_from_matrix, quaternion_from_z
 from simkit.physics import BodyPlan, JointKind, JointPlan, Model
-from simkit.physics.poses import quaternion
-from simkit.tf.rotation import multiply
-from simkit.tf.transform import Quaternion, Vector
 from simkit.urdf import Box, Cylinder, Sphere
 from simkit.viz.solid import Color, Role, Solid
-from simkit.viz.turns import turn_from_z
 from simkit.viz.world.things import link_frame
 
 LEAD: Final = 11_340.0
@@ -87,14 +84,14 @@ def inertia_box(body: BodyPlan) -> tuple[Vector, Quaternion]:
         for p, q, r in ((b, c, a), (a, c, b), (a, b, c))
     )
     (m0, m1, m2), (m3, m4, m5), (m6, m7, m8) = axes.tolist()
-    return (x, y, z), quaternion(((m0, m1, m2), (m3, m4, m5), (m6, m7, m8)))
+    return (x, y, z), quaternion_from_matrix(((m0, m1, m2), (m3, m4, m5), (m6, m7, m8)))
 
 
 def _joint(joint: JointPlan, frame: str, size: float) -> Iterator[Solid]:
     """A rod along the axis; around it a disc if the joint turns, a box if it slides."""
     if not joint.moves:
         return
-    turn = multiply(quaternion(joint.anchor.rotation), turn_from_z(joint.axis))
+    turn = multiply(quaternion_from_matrix(joint.anchor.rotation), quaternion_from_z(joint.axis))
     middle = (
         Cylinder(_DISC * size, _THICK * size)
         if joint.kind is JointKind.REVOLUTE

@@ -6,8 +6,8 @@ import math
 from collections.abc import Collection, Iterable, Iterator
 from typing import Any, Final
 
+from simkit.geometry import Vector
 from simkit.physics import Contact
-from simkit.tf.transform import Vector
 from simkit.viz.marks import Marks, Polyline
 from simkit.viz.world.scene import Actor
 from simkit.viz.world.things import Thing

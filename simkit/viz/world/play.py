@@ -8,7 +8,7 @@ from itertools import count
 from typing import Final
 
 from simkit.errors import UnknownNameError
-from simkit.tf.transform import Vector
+from simkit.geometry import Vector
 from simkit.viz.marks import Marks
 from simkit.viz.scene import Scene
 from simkit.viz.tf_scene import FramePose

@@ -7,9 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
+from simkit.geometry import IDENTITY, Vector, rotate
 from simkit.physics import Model
-from simkit.tf.rotation import rotate
-from simkit.tf.transform import IDENTITY, Vector
 from simkit.urdf import Box
 from simkit.urdf.kinematics import Placement, compose
 from simkit.viz.camera import fitted

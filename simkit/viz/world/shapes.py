@@ -6,16 +6,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Final
 
+from simkit.geometry import Quaternion, Vector, multiply, quaternion_from_matrix, quaternion_from_z
 from simkit.physics import Plane
-from simkit.physics.poses import quaternion
 from simkit.physics.sdf import SdfModel
-from simkit.tf.rotation import multiply
-from simkit.tf.transform import Quaternion, Vector
 from simkit.urdf import Collision, Robot, Visual
 from simkit.urdf.kinematics import Placement, compose, pose_transform
 from simkit.viz.robot_solids import painted, part_solid
 from simkit.viz.solid import Color, Role, Solid
-from simkit.viz.turns import turn_from_z
 from simkit.viz.world.colors import GREY, gazebo_color
 from simkit.viz.world.things import Thing, link_frame
 
@@ -135,16 +132,16 @@ def _of_sdf(model: SdfModel, grounds: list[Ground], notes: list[str]) -> Iterato
 
 
 def _upright(plane: Plane) -> Placement:
-    return Placement((0.0, 0.0, 0.0), turn_from_z(plane.normal))
+    return Placement((0.0, 0.0, 0.0), quaternion_from_z(plane.normal))
 
 
 def _of_plan(thing: Thing, grounds: list[Ground]) -> Iterator[Solid]:
     """Of a model without a file, what others touch."""
     for body in thing.model.plan.bodies.values():
         for shape in body.shapes:
-            translation, rotation = shape.frame.origin, quaternion(shape.frame.rotation)
+            translation, rotation = shape.frame.origin, quaternion_from_matrix(shape.frame.rotation)
             if isinstance(shape.solid, Plane):
-                rotation = multiply(rotation, turn_from_z(shape.solid.normal))
+                rotation = multiply(rotation, quaternion_from_z(shape.solid.normal))
                 grounds.append(
                     Ground(link=body.name, translation=translation, rotation=rotation, color=GREY)
                 )

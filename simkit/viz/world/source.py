@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Final
 
 from simkit.errors import UnknownNameError
+from simkit.geometry import Vector
 from simkit.physics import Model
-from simkit.tf.transform import Vector
 from simkit.viz.letters import shortened
 from simkit.viz.marks import Marks
 from simkit.viz.scene import LONGEST, Scene

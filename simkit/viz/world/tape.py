@@ -6,10 +6,10 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from simkit.errors import SimkitError, UnknownNameError
+from simkit.geometry import Vector
 from simkit.graph import Node
 from simkit.msgs import Duration
 from simkit.physics import Contact, Model
-from simkit.tf.transform import Vector
 from simkit.viz.thinning import Row
 from simkit.viz.world.marks import scan_points
 from simkit.viz.world.scene import Actor, link_poses, make_actor

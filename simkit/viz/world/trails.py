@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import Any, Final
 
 from simkit.errors import UnknownNameError
-from simkit.tf.transform import Vector
+from simkit.geometry import Vector
 from simkit.urdf.kinematics import Placement, compose, inverse
 from simkit.viz.marks import Marks
 from simkit.viz.thinning import Row

@@ -6,8 +6,8 @@ import math
 
 import pytest
 
+from simkit.geometry import roll_pitch_yaw
 from simkit.plugins.encoder import EncoderOdometry
-from simkit.tf.rotation import roll_pitch_yaw
 
 STEP = 1e-3
 

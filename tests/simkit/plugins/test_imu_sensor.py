@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
+from simkit.geometry import rotate
 from simkit.graph import LogLevel
-from simkit.tf.rotation import rotate
 
 IMU = "sensor_msgs/Imu"
 G = 9.8

@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from simkit.geometry import roll_pitch_yaw
 from simkit.msgs import Time
 from simkit.plugins.odometry import (
     UNKNOWN,
@@ -17,7 +18,6 @@ from simkit.plugins.odometry import (
     transform_message,
     world_motion,
 )
-from simkit.tf.rotation import roll_pitch_yaw
 from simkit.urdf.kinematics import Placement
 
 FRAMES = Frames(parent="odom", child="base")

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
+from simkit.geometry import conjugate, multiply, roll_pitch_yaw, rotate
 from simkit.graph import LogLevel
-from simkit.tf.rotation import conjugate, multiply, roll_pitch_yaw, rotate
 from tests.simkit.plugins.samples import PENDULUM
 
 ODOMETRY = "nav_msgs/Odometry"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from simkit.geometry import roll_pitch_yaw
 from simkit.graph import LogLevel
 from simkit.physics import Mode
-from simkit.tf.rotation import roll_pitch_yaw
 from tests.simkit.plugins.samples import ROVER, driven, tell
 
 SKID = "libgazebo_ros_skid_steer_drive.so"

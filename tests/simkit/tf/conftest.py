@@ -16,7 +16,7 @@ import pytest
 from simkit.graph.process import client
 from simkit.msgs import Duration, Time, message_class
 from simkit.tf.buffer_core import BufferCore
-from simkit.tf.transform import Transform
+from simkit.tf.transform import StampedTransform
 
 SECOND = 10**9
 Xyz = Sequence[float]
@@ -58,7 +58,7 @@ class Tree:
         for parent, child in itertools.pairwise(frames):
             self.put(parent, child, t, step)
 
-    def lookup(self, target: str, source: str, t: float = 0.0) -> Transform:
+    def lookup(self, target: str, source: str, t: float = 0.0) -> StampedTransform:
         return self.core.lookup(target, source, time=round(t * SECOND))
 
     def can(self, target: str, source: str, t: float = 0.0) -> bool:
@@ -66,7 +66,7 @@ class Tree:
 
     def full(
         self, target: str, t_target: float, source: str, t_source: float, fixed: str
-    ) -> Transform:
+    ) -> StampedTransform:
         return self.core.lookup_full(
             target,
             source,

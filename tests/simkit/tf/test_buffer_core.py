@@ -7,6 +7,7 @@ import math
 
 import pytest
 
+from simkit.geometry import Transform
 from simkit.tf.errors import (
     ConnectivityException,
     ExtrapolationException,
@@ -110,7 +111,7 @@ def test_texts_for_invalid_names(tree):
 @pytest.mark.parametrize("name", ["", "/a", "unknown"])
 def test_a_frame_in_itself_is_never_refused(tree, name):
     found = tree.lookup(name, name, 7.0)
-    assert found == ((0, 0, 0), IDENTITY, 7 * 10**9)
+    assert found == (Transform(), 7 * 10**9)
     assert tree.lookup(name, name).stamp == 0
     assert tree.can(name, name, 7.0)
 
@@ -546,7 +547,7 @@ def test_antipodal_rotations_do_not_turn_in_between(tree):
 def test_the_first_transform_decides_whether_a_frame_is_static(tree):
     tree.put("w", "s", 1.0, (1, 0, 0), static=True)
     tree.put("w", "s", 2.0, (2, 0, 0))
-    assert tree.lookup("w", "s", 99.0) == ((2, 0, 0), IDENTITY, 99 * 10**9)
+    assert tree.lookup("w", "s", 99.0) == (Transform((2, 0, 0)), 99 * 10**9)
     tree.put("w", "d", 1.0, (1, 0, 0))
     tree.put("w", "d", 2.0, (2, 0, 0), static=True)
     assert tree.lookup("w", "d", 1.5).translation == (1.5, 0, 0)

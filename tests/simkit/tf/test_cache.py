@@ -7,9 +7,8 @@ import random
 
 import pytest
 
+from simkit.geometry import IDENTITY, ORIGIN, Quaternion, slerp
 from simkit.tf.cache import LATEST, TimeCache
-from simkit.tf.rotation import slerp
-from simkit.tf.transform import IDENTITY, ORIGIN, Quaternion
 
 LENGTH = 10 * 10**9
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from simkit.geometry import IDENTITY, ORIGIN
 from simkit.tf.static_cache import StaticCache
-from simkit.tf.transform import IDENTITY, ORIGIN
 
 
 def test_the_last_transform_holds_at_every_time():

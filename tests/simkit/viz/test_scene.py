@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from simkit.tf.rotation import rotate
+from simkit.geometry import rotate
 from simkit.viz.camera import on_paper
 from simkit.viz.robot_solids import RobotShapes
 from simkit.viz.scene import Displays, corners, make_scene

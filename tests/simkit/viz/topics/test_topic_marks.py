@@ -4,13 +4,13 @@ import math
 
 import pytest
 
+from simkit.geometry import IDENTITY, Transform
 from simkit.msgs import message_class
-from simkit.tf.transform import IDENTITY, ORIGIN, Transform
 from simkit.viz.topics.displays import LaserScanDisplay, OdometryDisplay, PathDisplay
 from simkit.viz.topics.topic_marks import arrow_line, display_marks, path_shown, scan_shown
 
-HERE = Transform(ORIGIN, IDENTITY, 0)
-QUARTER = Transform((1.0, 0.0, 0.0), (0.0, 0.0, math.sqrt(0.5), math.sqrt(0.5)), 0)
+HERE = Transform()
+QUARTER = Transform((1.0, 0.0, 0.0), (0.0, 0.0, math.sqrt(0.5), math.sqrt(0.5)))
 
 
 def path(*points):

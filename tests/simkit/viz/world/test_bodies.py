@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from simkit.tf.rotation import rotate
+from simkit.geometry import rotate
 from simkit.urdf import Box, Cylinder
 from simkit.urdf.inertia import shape_tensor
 from simkit.viz.solid import Role

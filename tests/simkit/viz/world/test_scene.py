@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from simkit.tf.rotation import rotate
+from simkit.geometry import rotate
 from simkit.viz.scene import corners
 from simkit.viz.solid import Role
 from simkit.viz.world.scene import (

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from simkit.tf.rotation import rotate
+from simkit.geometry import rotate
 from simkit.urdf import Box, Cylinder, Sphere, load_robot
 from simkit.viz.solid import Role
 from simkit.viz.world.colors import GREY, gazebo_color
