@@ -28,7 +28,7 @@ MAY_IMPORT = {
     "simkit.msgs": "simkit.errors",
     "simkit.tf": "simkit.errors simkit.msgs",
     "simkit.xml": "simkit.record",
-    "simkit.diagnostics": "simkit.errors simkit.record simkit.xml",
+    "simkit.diagnostics": "simkit.errors simkit.xml",
     "simkit.urdf": "simkit.errors simkit.record simkit.xml simkit.diagnostics simkit.packages simkit.tf",
     # the graph, and what lives on it
     "simkit.graph": "simkit.errors simkit.msgs simkit.graph.process.child",

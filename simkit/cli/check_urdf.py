@@ -9,12 +9,12 @@ import argparse
 import os
 import sys
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from simkit.cli.complaint import FAILURE, complain
 from simkit.cli.robot_file import RobotFile, read_file
 from simkit.diagnostics import Diagnostic, Severity, as_json, as_text, summary
 from simkit.errors import SimkitError
-from simkit.record import replace
 from simkit.urdf import check_urdf_text, read_robot
 from simkit.urdf.rules import Companion, CompanionKind, check_robot
 

@@ -3,25 +3,21 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import TypeAlias
 
 from simkit.cli.complaint import USAGE_ERROR, complain
-from simkit.diagnostics import MetRule, Rule
+from simkit.diagnostics import Rule
+from simkit.diagnostics.table import in_table_order
 from simkit.errors import near_names
-
-AnyRule: TypeAlias = Rule | MetRule
-"""A rule that is looked for in a file, or one that is met when the file is used."""
-_GROUPS = ("URDF", "GZ", "CTL", "LCH", "LAS", "SDF")
 
 
 @cache
-def rule_book() -> tuple[AnyRule, ...]:
+def rule_book() -> tuple[Rule, ...]:
     """All rules, by id within their group: robots, their simulation, launch files, worlds."""
-    from simkit.launch import explanations as of_launch_files
-    from simkit.physics.sdf import explanations as of_worlds
+    from simkit.launch.rules import ROWS as OF_LAUNCH_FILES
+    from simkit.physics.sdf.rules import ROWS as OF_WORLDS
     from simkit.urdf.rules import all_rules
 
-    return tuple(sorted((*all_rules(), *of_launch_files.RULES, *of_worlds.RULES), key=_place))
+    return in_table_order((*all_rules(), *OF_LAUNCH_FILES, *OF_WORLDS))
 
 
 def list_text() -> str:
@@ -49,10 +45,5 @@ def explain(name: str, *, program: str) -> int:
     return 0
 
 
-def _explanation(rule: AnyRule) -> str:
+def _explanation(rule: Rule) -> str:
     return f"{rule.id} ({rule.severity.value}): {rule.title}\n\n{rule.explanation}"
-
-
-def _place(rule: AnyRule) -> tuple[int, str]:
-    group, _, number = rule.id.partition("-")
-    return _GROUPS.index(group), number[1:]

@@ -1,21 +1,22 @@
 """Diagnostics: what is wrong in a file, where, what it does here and in Gazebo, and what would be right.
 
-A `Rule` finds one kind of mistake and has a stable id (`URDF-W07`); a `Diagnostic` is one find. How
-they look on a terminal and as JSON is in `show`.
+`table` has the rows: each is a `Rule` with a stable id (`URDF-W07`), for one kind of fault; a `Find` is a place where it is. A
+`Diagnostic` is what people are told. How that looks on a terminal and as JSON is in `show`.
 """
 
 from simkit.diagnostics.diagnostic import Diagnostic, Related, Severity, in_order
-from simkit.diagnostics.rule import MetRule, Rule
 from simkit.diagnostics.show import as_json, as_text, summary
+from simkit.diagnostics.table import Find, Rule, rule
 
 __all__ = [
     "Diagnostic",
-    "MetRule",
+    "Find",
     "Related",
     "Rule",
     "Severity",
     "as_json",
     "as_text",
     "in_order",
+    "rule",
     "summary",
 ]

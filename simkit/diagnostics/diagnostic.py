@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Iterable
+from dataclasses import dataclass
 
-from simkit.record import Record
 from simkit.xml import Span
 
 
@@ -20,7 +20,8 @@ class Severity(enum.Enum):
     """Worth knowing; often meant so."""
 
 
-class Related(Record):
+@dataclass(frozen=True, kw_only=True)
+class Related:
     """A second place that belongs to a find."""
 
     file: str
@@ -33,7 +34,8 @@ class Related(Record):
     """The line of the file; empty if it need not be shown."""
 
 
-class Diagnostic(Record):
+@dataclass(frozen=True, kw_only=True)
+class Diagnostic:
     """One find."""
 
     rule: str

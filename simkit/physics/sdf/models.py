@@ -9,6 +9,7 @@ from simkit.diagnostics import Severity
 from simkit.physics.sdf.description import SdfJoint, SdfLink, SdfModel
 from simkit.physics.sdf.links import read_link
 from simkit.physics.sdf.page import Page
+from simkit.physics.sdf.rules import NO_MASS
 from simkit.urdf.model import Pose
 from simkit.xml import Element
 
@@ -83,7 +84,7 @@ def _note_masses(page: Page, links: list[SdfLink], *, is_static: bool) -> None:
                 f"the link {link.name} has no <inertial>: it weighs 1 kg, and 1 kg m^2 turn with it",
                 "Give it its mass and inertia.",
                 severity=Severity.NOTE,
-                rule="SDF-I03",
+                rule=NO_MASS,
             )
 
 

@@ -11,6 +11,7 @@ from simkit.errors import near_names
 from simkit.physics.bodies import LARGEST
 from simkit.physics.errors import WorldFileError
 from simkit.physics.sdf.library import ModelLibrary
+from simkit.physics.sdf.rules import NUMBER, UNSUPPORTED, UNUSABLE
 from simkit.urdf.model import Pose, Rgba, Vector
 from simkit.xml import Document, Element
 
@@ -40,7 +41,7 @@ class Page:
         remedy: str,
         *,
         severity: Severity = Severity.WARNING,
-        rule: str = "SDF-W04",
+        rule: str = UNSUPPORTED,
     ) -> Diagnostic:
         """Note what is wrong with an element.
 
@@ -66,7 +67,7 @@ class Page:
 
     def refuse(self, element: Element, what: str, remedy: str) -> WorldFileError:
         """The error for something without which the file cannot be used."""
-        one = self.say(element, what, remedy, severity=Severity.ERROR, rule="SDF-E02")
+        one = self.say(element, what, remedy, severity=Severity.ERROR, rule=UNUSABLE)
         place = f"{one.file}:{one.span.line}:{one.span.column}"
         return WorldFileError(f"{place}: {what}; {remedy}", self.found)
 
@@ -119,7 +120,7 @@ class Page:
             child,
             f"<{name}> is {child.text.strip()!r}, not {kind}",
             f"Write {kind}.",
-            rule="SDF-W05",
+            rule=NUMBER,
         )
         return None
 

@@ -13,6 +13,7 @@ from simkit.physics.sdf.description import SdfLight, SdfModel, SdfWorld
 from simkit.physics.sdf.library import ModelLibrary
 from simkit.physics.sdf.models import read_model, renamed
 from simkit.physics.sdf.page import Page
+from simkit.physics.sdf.rules import NUMBER, SYNTAX
 from simkit.xml import Document, Element, parse_xml
 
 OLDEST, NEWEST = (1, 4), (1, 7)
@@ -222,7 +223,7 @@ def _step(page: Page, world: Element) -> int:
     step = page.number(physics, "max_step_size", STEP_NS * 1e-9)
     if not 1e-5 <= step <= 0.01:
         child = physics.child("max_step_size") or physics
-        page.say(child, f"steps of {step:g} s make no simulation", "Write 0.001.", rule="SDF-W05")
+        page.say(child, f"steps of {step:g} s make no simulation", "Write 0.001.", rule=NUMBER)
         return STEP_NS
     return round(step * 1e9)
 
@@ -255,7 +256,7 @@ def _refused(document: Document, what: str, remedy: str) -> WorldFileError:
 def _of_fault(document: Document, number: int) -> Diagnostic:
     fault = document.faults[number]
     return Diagnostic(
-        rule="SDF-E01",
+        rule=SYNTAX,
         severity=Severity.ERROR,
         file=document.file,
         span=fault.span,

@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.model import Vector
 from simkit.urdf.rules.entries import JointEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import number_text, numbers_text
 from simkit.urdf.rules.wording import called
 
-_W09 = "URDF-W09"
 _ROUNDING = 0.01
 "An axis may be longer or shorter than 1 by so much."
 _DOES = {
@@ -23,7 +22,8 @@ _DOES = {
 }
 
 
-def axis(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-W09", "an axis that is missing (and so x), zero, or not of length 1", Severity.ERROR)
+def axis(sheet: Sheet) -> Iterator[Find]:
     """A joint without an axis, with a zero one, or one that is not of length 1.
 
     The joint turns about the wrong axis. A joint without `<axis>` does not turn about z, as many expect, but about the x axis
@@ -50,19 +50,18 @@ def axis(sheet: Sheet) -> Iterator[Diagnostic]:
             continue
         length = math.hypot(*joint.axis)
         if joint.axis_element is None:
-            yield _missing(sheet, joint)
+            yield _missing(joint)
         elif length == 0.0:
-            yield _zero(sheet, joint)
+            yield _zero(joint)
         elif abs(length - 1.0) > _ROUNDING:
-            yield _not_unit(sheet, joint, joint.axis, length)
+            yield _not_unit(joint, joint.axis, length)
 
 
-def _missing(sheet: Sheet, joint: JointEntry) -> Diagnostic:
+def _missing(joint: JointEntry) -> Find:
     does = _DOES[str(joint.type)]
-    return sheet.find(
-        _W09,
-        Severity.WARNING,
+    return Find(
         joint.element,
+        severity=Severity.WARNING,
         what=f"{called(joint.element)} has no <axis>, so it {does} x, the default",
         remedy='Say which axis is meant: <axis xyz="0 0 1"/> for z, xyz="0 1 0" for y, xyz="1 0 0" if x is right.',
         here=f"It {does} the x axis of its own frame.",
@@ -70,12 +69,10 @@ def _missing(sheet: Sheet, joint: JointEntry) -> Diagnostic:
     )
 
 
-def _zero(sheet: Sheet, joint: JointEntry) -> Diagnostic:
+def _zero(joint: JointEntry) -> Find:
     element = joint.axis_element or joint.element
     has_xyz = element.attribute("xyz") is not None
-    return sheet.find(
-        _W09,
-        Severity.ERROR,
+    return Find(
         element.attribute("xyz") or element,
         element=element,
         what=f"the axis of {called(joint.element)} "
@@ -86,27 +83,16 @@ def _zero(sheet: Sheet, joint: JointEntry) -> Diagnostic:
     )
 
 
-def _not_unit(sheet: Sheet, joint: JointEntry, axis: Vector, length: float) -> Diagnostic:
+def _not_unit(joint: JointEntry, axis: Vector, length: float) -> Find:
     element = joint.axis_element or joint.element
     x, y, z = axis
     unit = numbers_text(round(value / length, 6) for value in (x, y, z))
-    return sheet.find(
-        _W09,
-        Severity.NOTE,
+    return Find(
         element.attribute("xyz") or element,
+        severity=Severity.NOTE,
         element=element,
         what=f"the axis of {called(joint.element)} has length {number_text(length)}, not 1",
         remedy=f'Only its direction counts: write xyz="{unit}". To turn the axis, turn the joint: <origin rpy="..."/>.',
         here="It is made one long.",
         gazebo="It is made one long.",
     )
-
-
-RULES = (
-    Rule(
-        id=_W09,
-        title="an axis that is missing (and so x), zero, or not of length 1",
-        severity=Severity.ERROR,
-        look=axis,
-    ),
-)

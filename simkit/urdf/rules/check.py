@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from simkit.diagnostics import Diagnostic, Rule, Severity, in_order
-from simkit.record import replace
+from simkit.diagnostics import Diagnostic, Find, Rule, Severity, in_order
 from simkit.urdf.rules.companion import Companion
 from simkit.urdf.rules.registry import rules_for
 from simkit.urdf.rules.sheet import MOST_FINDS, Sheet, read_sheet
@@ -37,31 +36,26 @@ def check_robot(
         The finds by place, at most 20 of a kind, and then how many more there are.
     """
     sheet = read_sheet(document, packages=packages, companions=companions, folder=folder)
-    return in_order(one for rule in rules_for(sheet) for one in _told(_looked(rule, sheet)))
+    return in_order(one for rule in rules_for(sheet) for one in _found(rule, sheet))
 
 
-def _looked(rule: Rule, sheet: Sheet) -> Iterable[Diagnostic]:
+def _found(rule: Rule, sheet: Sheet) -> Iterator[Diagnostic]:
+    """The first finds of each kind (what is wrong, and in which kind of element), and a number for the rest."""
+    kinds: dict[tuple[str, str], list[Find]] = {}
+    for one in _looked(rule, sheet):
+        file = (one.companion or sheet.document).file
+        kinds.setdefault((file, "" if one.about is None else one.about.name), []).append(one)
+    for same in kinds.values():
+        told, rest = same[:MOST_FINDS], len(same) - MOST_FINDS
+        if rest > 0:
+            told[-1] = replace(told[-1], what=f"{told[-1].what}; and {rest} more like it")
+        yield from (rule.diagnostic(one, sheet.document) for one in told)
+
+
+def _looked(rule: Rule, sheet: Sheet) -> Iterable[Find]:
     try:
-        return list(rule.look(sheet))
+        return [] if rule.look is None else list(rule.look(sheet))
     except Exception as error:  # a fault of ours must not hide what the other rules find
         what = f"the rule {rule.id} could not be applied: {type(error).__name__}: {error}"
         remedy = "This is a fault of simkit, not of your file; please report it with the file."
-        return [sheet.find(rule.id, Severity.NOTE, Span(1, 1), what=what, remedy=remedy)]
-
-
-def _told(found: Iterable[Diagnostic]) -> Iterable[Diagnostic]:
-    """The first finds of each kind (what is wrong, and in which kind of element), and a number for the rest."""
-    kinds: dict[tuple[str, str], list[Diagnostic]] = {}
-    for one in found:
-        kinds.setdefault((one.file, _element_name(one.path)), []).append(one)
-    for same in kinds.values():
-        yield from same[: MOST_FINDS - 1]
-        rest = same[MOST_FINDS - 1 :]
-        if len(rest) == 1:
-            yield rest[0]
-        elif rest:
-            yield replace(rest[0], what=f"{rest[0].what}; and {len(rest) - 1} more like it")
-
-
-def _element_name(path: str) -> str:
-    return re.sub(r"\[[^]]*\]", "", path).rpartition("/")[2]
+        return [Find(Span(1, 1), what=what, remedy=remedy, severity=Severity.NOTE)]

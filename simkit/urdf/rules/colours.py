@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.model import Rgba
 from simkit.urdf.rules.bodies import mass_of
 from simkit.urdf.rules.entries import LinkEntry
@@ -20,7 +20,8 @@ _OTHER = 0.6
 "Two colours further apart than this, of at most 1.73, are not the same."
 
 
-def gazebo_colours(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("GZ-W13", "colours in RViz and in Gazebo", Severity.WARNING)
+def gazebo_colours(sheet: Sheet) -> Iterator[Find]:
     """The colour in RViz and the colour in Gazebo.
 
     Symptom: A robot that is colourful in RViz is grey in Gazebo, or has other colours there.
@@ -50,9 +51,9 @@ def gazebo_colours(sheet: Sheet) -> Iterator[Diagnostic]:
         if link.name not in given:
             grey.append((link, rgba))
         else:
-            yield from _differs(sheet, link, rgba, given[link.name])
+            yield from _differs(link, rgba, given[link.name])
     if grey:
-        yield _grey_in_gazebo(sheet, grey)
+        yield _grey_in_gazebo(grey)
 
 
 def _gazebo_materials(sheet: Sheet) -> dict[str, Element]:
@@ -64,7 +65,7 @@ def _gazebo_materials(sheet: Sheet) -> dict[str, Element]:
     return found
 
 
-def _unknown(sheet: Sheet, element: Element) -> Iterator[Diagnostic]:
+def _unknown(sheet: Sheet, element: Element) -> Iterator[Find]:
     name = tag_value(element)
     known = sorted({*COLOURS, *PATTERNS})
     if not name.startswith(_PREFIX) or name.removeprefix(_PREFIX) in known:
@@ -72,9 +73,7 @@ def _unknown(sheet: Sheet, element: Element) -> Iterator[Diagnostic]:
     near = sheet.near(name.removeprefix(_PREFIX), known)
     if not near:
         return
-    yield sheet.find(
-        "GZ-W13",
-        Severity.WARNING,
+    yield Find(
         element.text_span or element,
         element=element,
         what=f"Gazebo has no material {quoted(name)}",
@@ -84,32 +83,30 @@ def _unknown(sheet: Sheet, element: Element) -> Iterator[Diagnostic]:
     )
 
 
-def _differs(sheet: Sheet, link: LinkEntry, rgba: Rgba, element: Element) -> Iterator[Diagnostic]:
+def _differs(link: LinkEntry, rgba: Rgba, element: Element) -> Iterator[Find]:
     name = tag_value(element).removeprefix(_PREFIX)
     if name not in COLOURS or math.dist(COLOURS[name], rgba[:3]) < _OTHER:
         return
     material = link.visuals[0].material_element
     near = _nearest(rgba)
-    yield sheet.find(
-        "GZ-W13",
-        Severity.NOTE,
+    yield Find(
         element.text_span or element,
+        severity=Severity.NOTE,
         element=element,
         what=f"link {quoted(link.name)} has other colours in Gazebo ({name}) and in RViz",
         here="simkit shows the colour of the URDF in rviz, and that of the <gazebo> block in the world.",
         gazebo="Gazebo reads only <gazebo><material>, RViz only the <material> of the visual.",
         remedy=f"If they are to be the same: {_PREFIX}{near} is nearest to the one of the URDF.",
-        related=() if material is None else [sheet.related(material, "the colour in RViz")],
+        related=() if material is None else [(material, "the colour in RViz")],
     )
 
 
-def _grey_in_gazebo(sheet: Sheet, grey: list[tuple[LinkEntry, Rgba]]) -> Diagnostic:
+def _grey_in_gazebo(grey: list[tuple[LinkEntry, Rgba]]) -> Find:
     link, rgba = grey[0]
     names = [*dict.fromkeys(one.name for one, _ in grey if one.name is not None)]
-    return sheet.find(
-        "GZ-W13",
-        Severity.NOTE,
+    return Find(
         link.visuals[0].material_element or link.element,
+        severity=Severity.NOTE,
         what=f"colours that Gazebo will not show: {listed(names)}",
         here="simkit shows the colours of the URDF.",
         gazebo="Gazebo does not read the <material> of URDF: it shows the links grey.",
@@ -130,13 +127,3 @@ def _colour(link: LinkEntry, colours: Mapping[str | None, Rgba | None]) -> Rgba 
 
 def _nearest(rgba: Rgba) -> str:
     return min(COLOURS, key=lambda name: math.dist(COLOURS[name], rgba[:3]))
-
-
-RULES = (
-    Rule(
-        id="GZ-W13",
-        title="colours in RViz and in Gazebo",
-        severity=Severity.WARNING,
-        look=gazebo_colours,
-    ),
-)

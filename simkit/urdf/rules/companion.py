@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import enum
+from dataclasses import dataclass
 from typing import Any
 
-from simkit.record import Record
 from simkit.xml import Document, parse_xml
 
 
@@ -16,7 +16,8 @@ class CompanionKind(enum.Enum):
     YAML = "yaml"
 
 
-class Companion(Record):
+@dataclass(frozen=True, kw_only=True)
+class Companion:
     """One file beside the URDF."""
 
     kind: CompanionKind

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from simkit.record import Record
 from simkit.urdf.rules.companion import Companion
 from simkit.xml import Span
 
@@ -17,14 +17,16 @@ _DEEPEST = 6
 _MOST = 10_000
 
 
-class Word(Record):
+@dataclass(frozen=True, kw_only=True)
+class Word:
     """A text in a YAML file."""
 
     text: str
     span: Span
 
 
-class Controller(Record):
+@dataclass(frozen=True, kw_only=True)
+class Controller:
     """One controller."""
 
     companion: Companion
@@ -39,7 +41,8 @@ class Controller(Record):
     """All words that it sets."""
 
 
-class Faulty(Record):
+@dataclass(frozen=True, kw_only=True)
+class Faulty:
     """A YAML file that cannot be read."""
 
     problem: str

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.companion import CompanionKind
 from simkit.urdf.rules.controller_file import Controller, Faulty, controllers, gains_below
 from simkit.urdf.rules.joint_names import joint_advice, moving_joints
@@ -12,7 +12,6 @@ from simkit.urdf.rules.meaning import nearest
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import shown
 from simkit.urdf.rules.wording import listed, meant, quoted
-from simkit.xml import Span
 
 _SINGLE = ("JointPositionController", "JointVelocityController", "JointEffortController")
 _GROUP = (
@@ -60,7 +59,7 @@ _ELSEWHERE = (
 "Types that ros_controllers has besides."
 
 
-def controller_faults(sheet: Sheet, offered: Mapping[str, str | None]) -> Iterator[Diagnostic]:
+def controller_faults(sheet: Sheet, offered: Mapping[str, str | None]) -> Iterator[Find]:
     """What does not fit between controllers, joints and transmissions.
 
     Args:
@@ -73,10 +72,9 @@ def controller_faults(sheet: Sheet, offered: Mapping[str, str | None]) -> Iterat
             continue
         found = controllers(companion)
         if isinstance(found, Faulty):
-            yield sheet.find(
-                "CTL-E01",
-                Severity.ERROR,
+            yield Find(
                 found.span,
+                severity=Severity.ERROR,
                 companion=companion,
                 what=f"the file is no YAML: {found.problem}",
                 here="simkit refuses the file.",
@@ -85,11 +83,12 @@ def controller_faults(sheet: Sheet, offered: Mapping[str, str | None]) -> Iterat
             )
             continue
         for controller in found:
-            yield from _type_faults(sheet, controller, moving)
+            yield from _type_faults(controller, moving)
             yield from _joint_faults(sheet, controller, offered, moving)
 
 
-def gains(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("CTL-I03", "controllers with gains, and without", Severity.WARNING)
+def gains(sheet: Sheet) -> Iterator[Find]:
     """Controllers with gains, and without.
 
     Symptom: A red line `No p gain specified for pid`, or an arm that hangs down although its controller runs.
@@ -113,11 +112,10 @@ def gains(sheet: Sheet) -> Iterator[Diagnostic]:
             continue
         for controller in found:
             if _lacks_gains(controller):
-                yield _find(
-                    sheet,
-                    "CTL-I03",
-                    Severity.WARNING,
-                    controller,
+                yield Find(
+                    controller.name.span,
+                    severity=Severity.WARNING,
+                    companion=controller.companion,
                     what=f"the controller {quoted(controller.name.text)} computes forces or speeds, and has no gains",
                     here="simkit takes gains of 0: the controller does nothing.",
                     gazebo="No p gain specified for pid: the controller does nothing.",
@@ -125,11 +123,10 @@ def gains(sheet: Sheet) -> Iterator[Diagnostic]:
                 )
         positions = [one for one in found if one.type and one.type.text.startswith("position_controllers/")]  # fmt: skip
         if positions and not any(gains_below(one) for one in sheet.companions):
-            yield _find(
-                sheet,
-                "CTL-I03",
-                Severity.NOTE,
-                positions[0],
+            yield Find(
+                positions[0].name.span,
+                severity=Severity.NOTE,
+                companion=positions[0].companion,
                 what="Gazebo will print in red: No p gain specified for pid",
                 here="simkit needs no gains for controllers of positions, and prints nothing.",
                 gazebo="Harmless: joints with a PositionJointInterface go where they are told, without gains.",
@@ -137,14 +134,13 @@ def gains(sheet: Sheet) -> Iterator[Diagnostic]:
             )
 
 
-def _type_faults(sheet: Sheet, controller: Controller, moving: list[str]) -> Iterator[Diagnostic]:
+def _type_faults(controller: Controller, moving: list[str]) -> Iterator[Find]:
     name, kind = quoted(controller.name.text), controller.type
     if kind is None:
-        yield _find(
-            sheet,
-            "CTL-E01",
-            Severity.ERROR,
-            controller,
+        yield Find(
+            controller.name.span,
+            severity=Severity.ERROR,
+            companion=controller.companion,
             what=f"the controller {name} has no type",
             here="simkit refuses to load the controller.",
             gazebo="Could not load controller, because the type was not specified.",
@@ -155,33 +151,28 @@ def _type_faults(sheet: Sheet, controller: Controller, moving: list[str]) -> Ite
         near = None if kind.text in _ELSEWHERE else nearest(kind.text, TYPES)
         family = kind.text.partition("/")[0]
         is_foreign = kind.text in _ELSEWHERE or (near is None and family not in _NEEDED)
-        yield _find(
-            sheet,
-            "CTL-E01",
-            Severity.NOTE if is_foreign else Severity.ERROR,
-            controller,
-            at=kind.span,
+        yield Find(
+            kind.span,
+            severity=Severity.NOTE if is_foreign else Severity.ERROR,
+            companion=controller.companion,
             what=f"there is no controller of type {quoted(kind.text)}{' in simkit' if is_foreign else ''}",
             here="simkit refuses to load the controller.",
             gazebo="Gazebo loads it if it is installed, else it says: controller type does not exist.",
             remedy=meant([near]).strip() if near else f"Some of them: {listed(TYPES, 3)}.",
         )
-    yield from _no_joints(sheet, controller, kind.text.rpartition("/")[2], moving)
+    yield from _no_joints(controller, kind.text.rpartition("/")[2], moving)
 
 
-def _no_joints(
-    sheet: Sheet, controller: Controller, kind: str, moving: list[str]
-) -> Iterator[Diagnostic]:
+def _no_joints(controller: Controller, kind: str, moving: list[str]) -> Iterator[Find]:
     """A controller of a kind that needs joints, and names none."""
     wanted = "joints" if kind in _GROUP else "joint" if kind in _SINGLE else None
     if wanted is None or controller.joints:
         return
     every = f"[{', '.join(moving[:20])}]" if wanted == "joints" else (moving or ["hip"])[0]
-    yield _find(
-        sheet,
-        "CTL-E01",
-        Severity.ERROR,
-        controller,
+    yield Find(
+        controller.name.span,
+        severity=Severity.ERROR,
+        companion=controller.companion,
         what=f"the controller {quoted(controller.name.text)} names no joints",
         here="simkit refuses to load the controller.",
         gazebo=f"Could not find '{wanted}' parameter.",
@@ -191,7 +182,7 @@ def _no_joints(
 
 def _joint_faults(
     sheet: Sheet, controller: Controller, offered: Mapping[str, str | None], moving: list[str]
-) -> Iterator[Diagnostic]:
+) -> Iterator[Find]:
     family = "" if controller.type is None else controller.type.text.partition("/")[0]
     needed = _NEEDED.get(family)
     for joint in controller.joints or ():
@@ -211,12 +202,10 @@ def _joint_faults(
             what = f"the controller {quoted(controller.name.text)} needs {needed}, and the transmission of "
             what += f"{quoted(joint.text)} offers {quoted(interface)}"
             remedy = f"Write hardware_interface/{needed} in the transmission, or take {_fitting(interface, controller)}."
-        yield _find(
-            sheet,
-            "CTL-E01",
-            Severity.ERROR,
-            controller,
-            at=joint.span,
+        yield Find(
+            joint.span,
+            severity=Severity.ERROR,
+            companion=controller.companion,
             what=what,
             here="simkit refuses to start the controller.",
             gazebo=f"Could not find joint '{shown(joint.text)}' in 'hardware_interface::{needed or 'JointStateInterface'}'.",
@@ -251,37 +240,3 @@ def _gains_remedy(controller: Controller) -> str:
         return f"Add pid: {values}, and try out the numbers."
     names = ", ".join(f"{joint.text}: {values}" for joint in (controller.joints or ())[:2])
     return f"Add gains: {{{names}}}, and try out the numbers."
-
-
-def _find(
-    sheet: Sheet,
-    rule: str,
-    severity: Severity,
-    controller: Controller,
-    *,
-    what: str,
-    here: str,
-    gazebo: str,
-    remedy: str,
-    at: Span | None = None,
-) -> Diagnostic:
-    return sheet.find(
-        rule,
-        severity,
-        controller.name.span if at is None else at,
-        companion=controller.companion,
-        what=what,
-        here=here,
-        gazebo=gazebo,
-        remedy=remedy,
-    )
-
-
-RULES = (
-    Rule(
-        id="CTL-I03",
-        title="controllers with gains, and without",
-        severity=Severity.WARNING,
-        look=gains,
-    ),
-)

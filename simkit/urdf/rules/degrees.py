@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import JointEntry, OriginEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import number_text, numbers_text
 from simkit.urdf.rules.wording import called, part_of
 
-_W07 = "URDF-W07"
 _FULL_TURN = 2 * math.pi * 1.05
 "A larger angle [rad] is more than a turn, rounding aside."
 _FEW_TURNS = 15.0
@@ -22,7 +21,8 @@ _UNLIMITED_TOO = (10.0, 100.0, 1000.0)
 _ROUNDING = 0.01
 
 
-def degrees(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-W07", "degrees where radians are meant", Severity.WARNING)
+def degrees(sheet: Sheet) -> Iterator[Find]:
     """Degrees where radians are meant.
 
     Nothing complains. A joint with `upper="90"` turns fourteen times before it stops, and `rpy="0 90 0"` turns a part by 90
@@ -38,14 +38,14 @@ def degrees(sheet: Sheet) -> Iterator[Diagnostic]:
     """
     for joint in sheet.joints:
         if joint.type == "revolute":
-            yield from _in_limits(sheet, joint)
-        yield from _in_origin(sheet, joint.origin)
+            yield from _in_limits(joint)
+        yield from _in_origin(joint.origin)
     for link in sheet.links:
         bodies = (*link.visuals, *link.collisions)
         if link.inertial is not None:
-            yield from _in_origin(sheet, link.inertial.origin)
+            yield from _in_origin(link.inertial.origin)
         for body in bodies:
-            yield from _in_origin(sheet, body.origin)
+            yield from _in_origin(body.origin)
 
 
 def look_like_degrees(angle: float) -> bool:
@@ -58,7 +58,7 @@ def look_like_degrees(angle: float) -> bool:
     return not is_some_quarters and (size > _FEW_TURNS or size == round(size))
 
 
-def _in_limits(sheet: Sheet, joint: JointEntry) -> Iterator[Diagnostic]:
+def _in_limits(joint: JointEntry) -> Iterator[Find]:
     limit = joint.limit
     if limit is None or limit.lower is None or limit.upper is None:
         return
@@ -68,9 +68,7 @@ def _in_limits(sheet: Sheet, joint: JointEntry) -> Iterator[Diagnostic]:
         return
     turns = number_text(round(max(abs(values[name]) for name in bad) / (2 * math.pi), 1))
     written = " ".join(f'{name}="{number_text(values[name])}"' for name in bad)
-    yield sheet.find(
-        _W07,
-        Severity.WARNING,
+    yield Find(
         limit.element.attribute(bad[0]) or limit.element,
         element=limit.element,
         what=f"{called(joint.element)} has {written}: {turns} turns in radians, so this looks like degrees",
@@ -84,16 +82,14 @@ def _mended(values: Mapping[str, float]) -> str:
     return " ".join(f'{name}="{_radians(value)}"' for name, value in values.items())
 
 
-def _in_origin(sheet: Sheet, origin: OriginEntry) -> Iterator[Diagnostic]:
+def _in_origin(origin: OriginEntry) -> Iterator[Find]:
     if origin.element is None or origin.rpy is None:
         return
     bad = [angle for angle in origin.rpy if look_like_degrees(angle)]
     if bad:
         mended = " ".join(_radians(angle) for angle in origin.rpy)
         off = number_text(round(math.degrees(math.remainder(bad[0], 2 * math.pi)), 1))
-        yield sheet.find(
-            _W07,
-            Severity.WARNING,
+        yield Find(
             origin.element.attribute("rpy") or origin.element,
             element=origin.element,
             what=f"rpy {numbers_text(origin.rpy)!r} of {part_of(origin.element)} is more than a turn in radians, so this "
@@ -106,13 +102,3 @@ def _in_origin(sheet: Sheet, origin: OriginEntry) -> Iterator[Diagnostic]:
 
 def _radians(angle_in_degrees: float) -> str:
     return f"{math.radians(angle_in_degrees):.4f}".rstrip("0").rstrip(".")
-
-
-RULES = (
-    Rule(
-        id=_W07,
-        title="degrees where radians are meant",
-        severity=Severity.WARNING,
-        look=degrees,
-    ),
-)

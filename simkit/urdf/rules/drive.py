@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.drive_facts import Drive, Wheel, drives, middle_of
 from simkit.urdf.rules.paste import short, triple
 from simkit.urdf.rules.sheet import Sheet
@@ -17,7 +17,14 @@ _TOLD, _BAD = 0.02, 0.1
 _ROLLS = '<axis xyz="0 1 0"/>'
 
 
-def wheels_on_wrong_side(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "GZ-W02",
+    "wheels on the wrong side, or turning the wrong way",
+    Severity.WARNING,
+    here="simkit drives the joints that are named.",
+    gazebo="Gazebo drives the joints that are named.",
+)
+def wheels_on_wrong_side(sheet: Sheet) -> Iterator[Find]:
     """The wheels are on the wrong side, or turn the wrong way.
 
     Symptom: The robot turns right when it is told to turn left, drives backward, or spins on the spot when it is told to
@@ -41,22 +48,18 @@ def wheels_on_wrong_side(sheet: Sheet) -> Iterator[Diagnostic]:
         if found is None:
             continue
         severity, wheel, what, remedy = found
-        yield sheet.find(
-            "GZ-W02",
-            severity,
+        yield Find(
             wheel.element.text_span or wheel.element,
+            severity=severity,
             element=wheel.element,
             what=what,
-            here="simkit drives the joints that are named.",
-            gazebo="Gazebo drives the joints that are named.",
             remedy=remedy,
-            related=[
-                sheet.related(wheel.joint.origin.element or wheel.joint.element, "this joint")
-            ],
+            related=[(wheel.joint.origin.element or wheel.joint.element, "this joint")],
         )
 
 
-def wheel_sizes(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("GZ-W03", "wheelSeparation or wheelDiameter not that of the robot", Severity.WARNING)
+def wheel_sizes(sheet: Sheet) -> Iterator[Find]:
     """`<wheelSeparation>` or `<wheelDiameter>` is not that of the robot.
 
     Symptom: The robot turns or drives faster or slower than it is told, and its odometry is off by the same factor.
@@ -75,13 +78,11 @@ def wheel_sizes(sheet: Sheet) -> Iterator[Diagnostic]:
         apart = abs(middle_of(drive.left)[1] - middle_of(drive.right)[1])
         if apart > _NEAR:
             what = f"the wheels are {short(apart)} m apart"
-            yield from _size(sheet, drive, "wheelSeparation", apart, what, "turns", grows=True)
+            yield from _size(drive, "wheelSeparation", apart, what, "turns", grows=True)
         radii = [wheel.radius for wheel in drive.wheels if wheel.radius is not None]
         if len(radii) == len(drive.wheels) and max(radii) <= min(radii) * (1.0 + _TOLD):
             what = f"the wheels have a diameter of {short(2 * radii[0])} m (radius {short(radii[0])} m)"
-            yield from _size(
-                sheet, drive, "wheelDiameter", 2 * radii[0], what, "drives", grows=False
-            )
+            yield from _size(drive, "wheelDiameter", 2 * radii[0], what, "drives", grows=False)
 
 
 def _side_fault(drive: Drive) -> tuple[Severity, Wheel, str, str] | None:
@@ -129,8 +130,8 @@ def _backward(wheel: Wheel) -> tuple[str, str]:
 
 
 def _size(
-    sheet: Sheet, drive: Drive, name: str, real: float, what: str, verb: str, *, grows: bool
-) -> Iterator[Diagnostic]:
+    drive: Drive, name: str, real: float, what: str, verb: str, *, grows: bool
+) -> Iterator[Find]:
     told = drive.number(name)
     if told is None or told <= 0.0 or abs(told / real - 1.0) <= _TOLD:
         return
@@ -141,33 +142,16 @@ def _size(
         if given is not None
         else f"<{name}> is not given, so {short(told)} m"
     )
-    yield sheet.find(
-        "GZ-W03",
-        Severity.WARNING if abs(told / real - 1.0) > _BAD else Severity.NOTE,
+    yield Find(
         (given.text_span or given) if given is not None else drive.plugin.element,
+        severity=Severity.WARNING if abs(told / real - 1.0) > _BAD else Severity.NOTE,
         element=drive.place(name),
         what=f"{stands}, but {what}",
         here=f"The robot {verb} {short(factor)} times as fast as it is told; odometry from the wheels is off by that factor.",
         gazebo=f"The robot {verb} {short(factor)} times as fast as it is told; odometry from the wheels is off by that factor.",
         remedy=f"Write <{name}>{short(real)}</{name}>.",
         related=[
-            sheet.related(drive.left[0].joint.element, "the left wheel"),
-            sheet.related(drive.right[0].joint.element, "the right wheel"),
+            (drive.left[0].joint.element, "the left wheel"),
+            (drive.right[0].joint.element, "the right wheel"),
         ],
     )
-
-
-RULES = (
-    Rule(
-        id="GZ-W02",
-        title="wheels on the wrong side, or turning the wrong way",
-        severity=Severity.WARNING,
-        look=wheels_on_wrong_side,
-    ),
-    Rule(
-        id="GZ-W03",
-        title="wheelSeparation or wheelDiameter not that of the robot",
-        severity=Severity.WARNING,
-        look=wheel_sizes,
-    ),
-)

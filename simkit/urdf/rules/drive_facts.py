@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
-from simkit.record import Record
 from simkit.urdf.frame import Frame
 from simkit.urdf.matrix import apply
 from simkit.urdf.model import Vector
@@ -29,7 +29,8 @@ _DEFAULTS = {
 }  # fmt: skip
 
 
-class Wheel(Record):
+@dataclass(frozen=True, kw_only=True)
+class Wheel:
     """One driven wheel, all joints at 0, seen from the base frame of the robot."""
 
     joint: JointEntry
@@ -46,7 +47,8 @@ class Wheel(Record):
     """z of its lowest point, seen from the root link [m]; None if it touches nothing."""
 
 
-class Drive(Record):
+@dataclass(frozen=True, kw_only=True)
+class Drive:
     """A drive plugin whose joints all exist."""
 
     plugin: PluginEntry

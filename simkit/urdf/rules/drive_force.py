@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.bodies import mass_of
 from simkit.urdf.rules.drive_facts import Drive, Wheel, drives
 from simkit.urdf.rules.entries import BodyEntry, LinkEntry
@@ -25,7 +25,8 @@ _SLIPPERY = 0.3
 "From this friction on a shape drags."
 
 
-def weak_wheels(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("GZ-W04", "wheels too weak for the robot", Severity.WARNING)
+def weak_wheels(sheet: Sheet) -> Iterator[Find]:
     """The wheels are too weak for the robot.
 
     Symptom: The command arrives, and the robot does not move, or creeps.
@@ -53,21 +54,20 @@ def weak_wheels(sheet: Sheet) -> Iterator[Diagnostic]:
         gain = f"speeds up the robot of {short(masses)} kg by {short(pull)} m/s² at best"
         what = gain if pull > 0.0 else "does not overcome the friction in the joints"
         yield _weak(
-            sheet, drive, place, f"a torque of {short(torque)} N m at each wheel {what}", 2 * needed
+            drive, place, f"a torque of {short(torque)} N m at each wheel {what}", 2 * needed
         )
 
 
-def _weak(sheet: Sheet, drive: Drive, place: Element, what: str, enough: float) -> Diagnostic:
+def _weak(drive: Drive, place: Element, what: str, enough: float) -> Find:
     name = drive.torque_name
     is_read = place.name in (name, "plugin")
     follows = "The robot hardly moves, or not at all."
     if not is_read:  # another rule tells of that
         what = f"{what}, if it is read"
         follows = f"As it is the robot moves: <{place.name}> is not read, and 5 N m is the default of <{name}>."
-    return sheet.find(
-        "GZ-W04",
-        Severity.WARNING if is_read else Severity.NOTE,
+    return Find(
         place,
+        severity=Severity.WARNING if is_read else Severity.NOTE,
         what=what,
         here=follows,
         gazebo=follows,
@@ -75,7 +75,14 @@ def _weak(sheet: Sheet, drive: Drive, place: Element, what: str, enough: float) 
     )
 
 
-def dragging_caster(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "GZ-W05",
+    "a caster that drags over the floor",
+    Severity.NOTE,
+    here="Part of the push of the wheels goes into it.",
+    gazebo="Part of the push of the wheels goes into it; a <surface> in URDF is not read.",
+)
+def dragging_caster(sheet: Sheet) -> Iterator[Find]:
     """A caster that cannot roll drags over the floor.
 
     Symptom: The robot drives slower than it is told, turns jerkily, or creeps to one side.
@@ -107,7 +114,7 @@ def dragging_caster(sheet: Sheet) -> Iterator[Diagnostic]:
                 is_down = any(shape.lowest() <= floor for shape in shapes)
                 friction = rubbing.get(link.name or "", 1.0)
                 if is_down and friction > _SLIPPERY:
-                    yield _caster(sheet, link, collision, friction)
+                    yield _caster(link, collision, friction)
 
 
 def _torque(drive: Drive) -> tuple[float | None, Element]:
@@ -136,34 +143,14 @@ def _friction(sheet: Sheet) -> dict[str, float]:
     return found
 
 
-def _caster(sheet: Sheet, link: LinkEntry, collision: BodyEntry, friction: float) -> Diagnostic:
+def _caster(link: LinkEntry, collision: BodyEntry, friction: float) -> Find:
     name = quoted(collision.element.get("name") or link.name)
     alone = len(link.collisions) == 1
     remedy = f'Add <gazebo reference="{link.name}"><mu1>0.0</mu1><mu2>0.0</mu2></gazebo>'
     if not alone:
         remedy += ", which counts for all shapes of the link; or give the caster a link of its own"
-    return sheet.find(
-        "GZ-W05",
-        Severity.NOTE,
+    return Find(
         collision.element,
         what=f"{name} stands on the floor beside the wheels, cannot roll, and has a friction of {short(friction)}: it drags",
-        here="Part of the push of the wheels goes into it.",
-        gazebo="Part of the push of the wheels goes into it; a <surface> in URDF is not read.",
         remedy=f"{remedy}.",
     )
-
-
-RULES = (
-    Rule(
-        id="GZ-W04",
-        title="wheels too weak for the robot",
-        severity=Severity.WARNING,
-        look=weak_wheels,
-    ),
-    Rule(
-        id="GZ-W05",
-        title="a caster that drags over the floor",
-        severity=Severity.NOTE,
-        look=dragging_caster,
-    ),
-)

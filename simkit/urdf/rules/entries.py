@@ -7,12 +7,14 @@ it was read from, for places: `entry.element.span_of("lower")`.
 
 from __future__ import annotations
 
-from simkit.record import Record
+from dataclasses import dataclass
+
 from simkit.urdf.model import Geometry, Rgba, Vector
 from simkit.xml import Element
 
 
-class OriginEntry(Record):
+@dataclass(frozen=True, kw_only=True)
+class OriginEntry:
     """An `<origin>`; all zero if there is none."""
 
     element: Element | None
@@ -23,7 +25,8 @@ class OriginEntry(Record):
     """Roll, pitch, yaw about fixed axes [rad]."""
 
 
-class BodyEntry(Record):
+@dataclass(frozen=True, kw_only=True)
+class BodyEntry:
     """A `<visual>` or `<collision>`."""
 
     element: Element
@@ -40,7 +43,8 @@ class BodyEntry(Record):
     """The `<material>` of a visual; None if there is none."""
 
 
-class InertialEntry(Record):
+@dataclass(frozen=True, kw_only=True)
+class InertialEntry:
     """An `<inertial>`."""
 
     element: Element
@@ -55,7 +59,8 @@ class InertialEntry(Record):
     """ixx, ixy, ixz, iyy, iyz, izz [kg m^2], about the centre of mass; None unless all can be read."""
 
 
-class LinkEntry(Record):
+@dataclass(frozen=True, kw_only=True)
+class LinkEntry:
     """A `<link>`."""
 
     element: Element
@@ -67,7 +72,8 @@ class LinkEntry(Record):
     collisions: tuple[BodyEntry, ...]
 
 
-class LimitEntry(Record):
+@dataclass(frozen=True, kw_only=True)
+class LimitEntry:
     """A `<limit>`."""
 
     element: Element
@@ -80,7 +86,8 @@ class LimitEntry(Record):
     """[rad/s or m/s]; None if it is not there."""
 
 
-class JointEntry(Record):
+@dataclass(frozen=True, kw_only=True)
+class JointEntry:
     """A `<joint>` of the robot."""
 
     element: Element
@@ -108,7 +115,8 @@ class JointEntry(Record):
         return self.type in ("revolute", "continuous", "prismatic")
 
 
-class MaterialEntry(Record):
+@dataclass(frozen=True, kw_only=True)
+class MaterialEntry:
     """A `<material>` of the robot or of a visual."""
 
     element: Element
@@ -122,7 +130,8 @@ class MaterialEntry(Record):
     texture: str | None
 
 
-class GazeboEntry(Record):
+@dataclass(frozen=True, kw_only=True)
+class GazeboEntry:
     """A `<gazebo>` of the robot."""
 
     element: Element
@@ -130,7 +139,8 @@ class GazeboEntry(Record):
     """Link or joint that it belongs to, as written; None if it belongs to the robot."""
 
 
-class PluginEntry(Record):
+@dataclass(frozen=True, kw_only=True)
+class PluginEntry:
     """A `<plugin>` anywhere in a `<gazebo>`."""
 
     element: Element
@@ -145,7 +155,8 @@ class PluginEntry(Record):
         return self.element.child(name)
 
 
-class TransmissionEntry(Record):
+@dataclass(frozen=True, kw_only=True)
+class TransmissionEntry:
     """A `<transmission>`."""
 
     element: Element

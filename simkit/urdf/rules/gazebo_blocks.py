@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.bodies import mass_of
 from simkit.urdf.rules.entries import GazeboEntry
 from simkit.urdf.rules.gazebo_words import (
@@ -28,7 +28,13 @@ from simkit.xml import Element
 _SILENT = "Gazebo drops the whole block, without a word."
 
 
-def dangling_reference(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "GZ-E01",
+    "a <gazebo> for a link or joint that is not there",
+    Severity.ERROR,
+    here="simkit leaves out the block.",
+)
+def dangling_reference(sheet: Sheet) -> Iterator[Find]:
     """A `<gazebo reference="...">` names a link or joint that is not there.
 
     Symptom: The sensor never publishes, the colour stays grey, the friction is the default one, and nobody complains.
@@ -55,19 +61,24 @@ def dangling_reference(sheet: Sheet) -> Iterator[Diagnostic]:
             continue
         lost = [one for one in block.element.walk() if one.name in ("sensor", "plugin")]
         parts = " and ".join(f"the {one.name} {quoted(one.get('name'))}" for one in lost[:3])
-        yield sheet.find(
-            "GZ-E01",
-            Severity.ERROR if lost else Severity.WARNING,
-            block.element.attribute("reference") or block.element,
+        yield Find(
+            block.element.attribute("reference") or block.element, severity=Severity.ERROR if lost else Severity.WARNING,
             element=block.element,
             what=f"there is no link or joint {quoted(name)}" + (f"; lost with it: {parts}" if lost else ""),
-            here="simkit leaves out the block.",
+
             gazebo=_SILENT,
             remedy=_reference_remedy(sheet, block, name, [*known]),
         )  # fmt: skip
 
 
-def gazebo_tag(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "GZ-W12",
+    "a tag that Gazebo does not read there",
+    Severity.WARNING,
+    here="simkit does not read it.",
+    gazebo="Gazebo does not read it.",
+)
+def gazebo_tag(sheet: Sheet) -> Iterator[Find]:
     """A tag in a `<gazebo>` that Gazebo does not read there, or not with that value.
 
     Symptom: The setting has no effect.
@@ -90,18 +101,22 @@ def gazebo_tag(sheet: Sheet) -> Iterator[Diagnostic]:
             found = _tag_fault(sheet, block, element)
             if found is not None:
                 severity, what, remedy = found
-                yield sheet.find(
-                    "GZ-W12",
-                    severity,
+                yield Find(
                     element,
+                    severity=severity,
                     what=what,
-                    here="simkit does not read it.",
-                    gazebo="Gazebo does not read it.",
                     remedy=remedy,
                 )
 
 
-def lumped_links(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "GZ-W07",
+    "links that Gazebo makes one body of",
+    Severity.NOTE,
+    here="simkit keeps every link: it has a frame in TF and a pose.",
+    gazebo="Gazebo makes one body of them; shapes, mass and sensors move to the parent.",
+)
+def lumped_links(sheet: Sheet) -> Iterator[Find]:
     """Gazebo makes one body of links that a fixed joint connects.
 
     Symptom: A link is missing in Gazebo's tree, on `/gazebo/link_states`, or as `bodyName` of a plugin.
@@ -123,13 +138,9 @@ def lumped_links(sheet: Sheet) -> Iterator[Diagnostic]:
         return
     names = [name for name in merged if name is not None]
     joint = sheet.joints_above[names[0]][0]
-    yield sheet.find(
-        "GZ-W07",
-        Severity.NOTE,
+    yield Find(
         joint.element,
         what=f"Gazebo melts what hangs on fixed joints into the parent: {listed(names)}",
-        here="simkit keeps every link: it has a frame in TF and a pose.",
-        gazebo="Gazebo makes one body of them; shapes, mass and sensors move to the parent.",
         remedy=f"Right as it is. To keep a link: <gazebo reference={_attribute(joint.name)}>"
         "<preserveFixedJoint>true</preserveFixedJoint></gazebo>.",
     )
@@ -196,25 +207,3 @@ def _tags_for(sheet: Sheet, block: GazeboEntry) -> tuple[str, ...]:
 
 def _attribute(name: str | None) -> str:
     return f'"{shown(name or "")}"'
-
-
-RULES = (
-    Rule(
-        id="GZ-E01",
-        title="a <gazebo> for a link or joint that is not there",
-        severity=Severity.ERROR,
-        look=dangling_reference,
-    ),
-    Rule(
-        id="GZ-W12",
-        title="a tag that Gazebo does not read there",
-        severity=Severity.WARNING,
-        look=gazebo_tag,
-    ),
-    Rule(
-        id="GZ-W07",
-        title="links that Gazebo makes one body of",
-        severity=Severity.NOTE,
-        look=lumped_links,
-    ),
-)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.joint_names import joint_advice, moving_joints
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import shown
@@ -14,7 +14,8 @@ from simkit.xml import Element
 _PLUGIN = "libgazebo_ros_joint_state_publisher.so"
 
 
-def listed_joints(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("CTL-W06", "a list of joints that does not fit the robot", Severity.ERROR)
+def listed_joints(sheet: Sheet) -> Iterator[Find]:
     """The list of joints in `<jointName>` does not fit the robot.
 
     Symptom: `No transform from [lower_arm]` in RViz: a part of the robot hangs in the air. Or Gazebo ends with `Joint ...
@@ -43,10 +44,9 @@ def listed_joints(sheet: Sheet) -> Iterator[Diagnostic]:
     first = next((found for one in plugins if (found := one.parameter("jointName"))), None)
     if first is not None and unlisted:
         every = ", ".join(moving_joints(sheet))
-        yield sheet.find(
-            "CTL-W06",
-            Severity.WARNING,
+        yield Find(
             first.text_span or first,
+            severity=Severity.WARNING,
             element=first,
             what=f"the list of joints lacks {listed(unlisted)}",
             here="Nobody says where these joints are: the links below have no frame.",
@@ -55,7 +55,7 @@ def listed_joints(sheet: Sheet) -> Iterator[Diagnostic]:
         )
 
 
-def _wrong_names(sheet: Sheet, element: Element, listed_names: set[str]) -> Iterator[Diagnostic]:
+def _wrong_names(sheet: Sheet, element: Element, listed_names: set[str]) -> Iterator[Find]:
     """What is wrong with the names in one list; the right ones are added to `listed_names`."""
     names = element.text.strip().replace(" ", "").split(",")
     moving = moving_joints(sheet)
@@ -75,9 +75,7 @@ def _wrong_names(sheet: Sheet, element: Element, listed_names: set[str]) -> Iter
             why = "which is fixed" if bare in sheet.joint_by_name else "and there is no such joint"
             what = f"the list of joints names {quoted(bare)}, {why}"
             remedy = joint_advice(sheet, bare, moving)
-        yield sheet.find(
-            "CTL-W06",
-            Severity.ERROR,
+        yield Find(
             element.text_span or element,
             element=element,
             what=what,
@@ -85,13 +83,3 @@ def _wrong_names(sheet: Sheet, element: Element, listed_names: set[str]) -> Iter
             gazebo="Joint ... does not exist! The plugin then crashes Gazebo.",
             remedy=remedy,
         )
-
-
-RULES = (
-    Rule(
-        id="CTL-W06",
-        title="a list of joints that does not fit the robot",
-        severity=Severity.ERROR,
-        look=listed_joints,
-    ),
-)

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.meaning import nearest
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import shown
 from simkit.urdf.rules.vocabulary import JOINT_TYPES
 from simkit.urdf.rules.wording import called, refusal
 
-_E20 = "URDF-E20"
 _OTHER_NAMES = {
     **dict.fromkeys(("hinge", "rotational", "rotary", "rotation", "rotate", "pivot"), "revolute"),
     **dict.fromkeys(("slider", "linear", "translational", "slide", "prism"), "prismatic"),
@@ -32,7 +31,8 @@ _NOT_THERE = {
 }
 
 
-def unknown_type(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-E20", "a type of joint that does not exist", Severity.ERROR)
+def unknown_type(sheet: Sheet) -> Iterator[Find]:
     """A joint of a type that URDF does not know.
 
     ROS says `Joint [hip] has no known type [revolut]` and refuses the robot. There are six types, in small letters: `fixed`,
@@ -50,9 +50,7 @@ def unknown_type(sheet: Sheet) -> Iterator[Diagnostic]:
     for joint in sheet.joints:
         if joint.type is None or joint.type in JOINT_TYPES:
             continue
-        yield sheet.find(
-            _E20,
-            Severity.ERROR,
+        yield Find(
             joint.element.attribute("type") or joint.element,
             element=joint.element,
             what=f"{called(joint.element)} has the type {shown(joint.type)!r}, which does not exist",
@@ -69,13 +67,3 @@ def _remedy(written: str) -> str:
     near = _OTHER_NAMES.get(folded) or nearest(folded, JOINT_TYPES)
     types = f"The types are {', '.join(JOINT_TYPES)}."
     return f'Write type="{near}". {types}' if near else types
-
-
-RULES = (
-    Rule(
-        id=_E20,
-        title="a type of joint that does not exist",
-        severity=Severity.ERROR,
-        look=unknown_type,
-    ),
-)

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.launch_facts import DESCRIPTION, is_known, launch_files
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import shown
@@ -18,7 +18,14 @@ _KNOWN_INCLUDES = ("empty_world.launch",)
 _SUBSTITUTION = re.compile(r"\$\([^()]*\)")
 
 
-def description_missing(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "LCH-E03",
+    "a robot description that is not set",
+    Severity.ERROR,
+    here="The node ends with that message.",
+    gazebo="robot_state_publisher and spawn_model end; gazebo_ros_control waits for ever.",
+)
+def description_missing(sheet: Sheet) -> Iterator[Find]:
     """A node asks for a robot description that the launch file does not set.
 
     Symptom: `Could not find parameter robot_description on parameter server`, a spawner that ends with `KeyError`, a plugin
@@ -47,22 +54,25 @@ def description_missing(sheet: Sheet) -> Iterator[Diagnostic]:
             if not is_known(wanted) or wanted in given:
                 continue
             near = sheet.near(wanted, names)
-            yield sheet.find(
-                "LCH-E03",
-                Severity.ERROR,
+            yield Find(
                 node.attribute("args") or node,
                 element=node,
                 companion=launch.companion,
                 what=f"node {quoted(node.get('name'))} needs the parameter {quoted(wanted)}, and the launch file does not set it",
-                here="The node ends with that message.",
-                gazebo="robot_state_publisher and spawn_model end; gazebo_ros_control waits for ever.",
                 remedy=f"Did you mean {' or '.join(map(quoted, near))}? The names must be the same."
                 if near
                 else f'Add <param name="{shown(wanted)}" textfile="$(find ...)/urdf/{_own_name(sheet)}"/>.',
             )
 
 
-def other_description(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "LCH-I15",
+    "a launch file that loads another URDF",
+    Severity.NOTE,
+    here="simkit roslaunch loads the file that is named there.",
+    gazebo="roslaunch loads the file that is named there.",
+)
+def other_description(sheet: Sheet) -> Iterator[Find]:
     """The launch file loads another URDF.
 
     Symptom: Changes of the file have no effect.
@@ -89,20 +99,26 @@ def other_description(sheet: Sheet) -> Iterator[Diagnostic]:
             ]
             if not loaded or own in loaded or own.removesuffix(".urdf") + ".urdf.xacro" in loaded:
                 continue
-            yield sheet.find(
-                "LCH-I15",
-                Severity.NOTE,
+            yield Find(
                 parameter.attribute("textfile") or parameter.attribute("command") or parameter,
                 element=parameter,
                 companion=launch.companion,
                 what=f"the launch file loads {quoted(loaded[0])}, not {quoted(own)}",
-                here="simkit roslaunch loads the file that is named there.",
-                gazebo="roslaunch loads the file that is named there.",
+
+
                 remedy=f"Name {quoted(own)} there if this is the robot you mean.",
             )  # fmt: skip
 
 
-def description_command(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "LCH-E02",
+    "a command that gives no robot description",
+    Severity.ERROR,
+    here="simkit runs no program of a launch file but xacro; what cat does, it does itself.",
+    gazebo="roslaunch stops with: Cannot load command parameter, if the program is not there.",
+    remedy='Write textfile="..." for a URDF, or command="xacro ..." for a xacro file.',
+)
+def description_command(sheet: Sheet) -> Iterator[Find]:
     """A `command="..."` that does not give a robot description.
 
     Symptom: `Invalid <param> tag: Cannot load command parameter`.
@@ -124,17 +140,13 @@ def description_command(sheet: Sheet) -> Iterator[Diagnostic]:
             if command is None or program in ("cat", "xacro"):
                 continue
             is_old = program == "xacro.py"
-            yield sheet.find(
-                "LCH-E02",
-                Severity.ERROR if is_old else Severity.WARNING,
+            yield Find(
                 command,
+                severity=Severity.ERROR if is_old else Severity.WARNING,
                 element=parameter,
                 companion=launch.companion,
                 what=f"the command {quoted(program)} "
                 + ("is gone: it is called xacro now" if is_old else "is neither cat nor xacro"),
-                here="simkit runs no program of a launch file but xacro; what cat does, it does itself.",
-                gazebo="roslaunch stops with: Cannot load command parameter, if the program is not there.",
-                remedy='Write textfile="..." for a URDF, or command="xacro ..." for a xacro file.',
             )
 
 
@@ -148,25 +160,3 @@ def _may_set_description(element: Element) -> bool:
 
 def _own_name(sheet: Sheet) -> str:
     return PurePosixPath(sheet.document.file.replace("\\", "/")).name
-
-
-RULES = (
-    Rule(
-        id="LCH-E03",
-        title="a robot description that is not set",
-        severity=Severity.ERROR,
-        look=description_missing,
-    ),
-    Rule(
-        id="LCH-I15",
-        title="a launch file that loads another URDF",
-        severity=Severity.NOTE,
-        look=other_description,
-    ),
-    Rule(
-        id="LCH-E02",
-        title="a command that gives no robot description",
-        severity=Severity.ERROR,
-        look=description_command,
-    ),
-)

@@ -7,8 +7,8 @@ rules only look for what is missing.
 from __future__ import annotations
 
 import shlex
+from dataclasses import dataclass
 
-from simkit.record import Record
 from simkit.urdf.rules.companion import Companion, CompanionKind
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import read_number
@@ -20,7 +20,8 @@ DESCRIPTION = "robot_description"
 _READERS = ("robot_state_publisher", "state_publisher", "joint_state_publisher", "joint_state_publisher_gui")  # fmt: skip
 
 
-class LaunchFile(Record):
+@dataclass(frozen=True, kw_only=True)
+class LaunchFile:
     """One launch file."""
 
     companion: Companion

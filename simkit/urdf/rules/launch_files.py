@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Related, Rule, Severity
+from simkit.diagnostics import Find, Related, Severity, rule
+from simkit.diagnostics.table import related
 from simkit.urdf.rules.companion import CompanionKind
-from simkit.urdf.rules.launch_facts import LaunchFile, launch_files
+from simkit.urdf.rules.launch_facts import launch_files
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.wording import quoted
 from simkit.xml import Span
@@ -15,7 +16,14 @@ _PLUGIN = "libgazebo_ros_joint_state_publisher.so"
 _CONTROLLER = "joint_state_controller/JointStateController"
 
 
-def launch_xml(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "LCH-E04",
+    "a launch file that is not well-formed",
+    Severity.ERROR,
+    here="simkit roslaunch refuses the file.",
+    gazebo="roslaunch refuses the file: Invalid roslaunch XML syntax.",
+)
+def launch_xml(sheet: Sheet) -> Iterator[Find]:
     """A launch file is not well-formed XML.
 
     Symptom: `RLException: Invalid roslaunch XML syntax`, and nothing is started.
@@ -30,21 +38,24 @@ def launch_xml(sheet: Sheet) -> Iterator[Diagnostic]:
     """
     for launch in launch_files(sheet):
         for fault in launch.document.faults:
-            yield Diagnostic(
-                rule="LCH-E04",
-                severity=Severity.ERROR,
-                file=launch.companion.file,
-                span=fault.span,
-                source=launch.document.line(fault.span.line),
+            yield Find(
+                fault.span,
+                companion=launch.companion,
                 what=fault.what,
-                here="simkit roslaunch refuses the file.",
-                gazebo="roslaunch refuses the file: Invalid roslaunch XML syntax.",
                 remedy=fault.remedy,
-                related=() if fault.other is None else (_other(launch, fault.other),),
+                related=() if fault.other is None else [(fault.other, "it belongs to this")],
             )
 
 
-def old_gui_switch(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "LCH-W05",
+    "use_gui, which ROS Noetic ignores",
+    Severity.NOTE,
+    here="simkit shows the sliders, as Melodic does.",
+    gazebo="Melodic opens the window with a warning; Noetic ignores the switch, and no sliders appear.",
+    remedy="For Noetic start the node joint_state_publisher_gui of the package joint_state_publisher_gui.",
+)
+def old_gui_switch(sheet: Sheet) -> Iterator[Find]:
     """`use_gui` asks joint_state_publisher for sliders.
 
     Symptom: In ROS Noetic no window with sliders opens.
@@ -63,19 +74,22 @@ def old_gui_switch(sheet: Sheet) -> Iterator[Diagnostic]:
         for parameter in every:
             if parameter.name != "param" or (parameter.get("name") or "").lstrip("/~") != "use_gui":
                 continue
-            yield sheet.find(
-                "LCH-W05",
-                Severity.NOTE,
+            yield Find(
                 parameter,
                 companion=launch.companion,
                 what="use_gui is a switch of ROS Melodic",
-                here="simkit shows the sliders, as Melodic does.",
-                gazebo="Melodic opens the window with a warning; Noetic ignores the switch, and no sliders appear.",
-                remedy="For Noetic start the node joint_state_publisher_gui of the package joint_state_publisher_gui.",
             )
 
 
-def two_joint_states(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "CTL-W07",
+    "two publishers of joint states",
+    Severity.WARNING,
+    here="The robot jumps between two poses in the view.",
+    gazebo="RViz shows the robot jumping between two poses.",
+    remedy="Leave the node out when the robot is simulated: the simulation knows where the joints are.",
+)
+def two_joint_states(sheet: Sheet) -> Iterator[Find]:
     """Two nodes publish the positions of the joints.
 
     Symptom: In RViz the robot flickers between two poses.
@@ -94,8 +108,11 @@ def two_joint_states(sheet: Sheet) -> Iterator[Diagnostic]:
         </gazebo>
     """
     told = [
-        sheet.related(one.element, "the plugin") for one in sheet.plugins if one.filename == _PLUGIN
-    ] + [
+        related(one.element, "the plugin", sheet.document)
+        for one in sheet.plugins
+        if one.filename == _PLUGIN
+    ]
+    told += [
         Related(file=one.file, span=Span(1, 1), text=f"has a {_CONTROLLER}")
         for one in sheet.companions
         if one.kind is CompanionKind.YAML and _CONTROLLER in one.text
@@ -104,41 +121,9 @@ def two_joint_states(sheet: Sheet) -> Iterator[Diagnostic]:
         spawns = any(node.get("type") == "spawn_model" for node in launch.nodes)
         for node in launch.nodes:
             if (node.get("type") or "").startswith("joint_state_publisher") and told and spawns:
-                yield sheet.find(
-                    "CTL-W07",
-                    Severity.WARNING,
+                yield Find(
                     node,
                     companion=launch.companion,
                     what=f"node {quoted(node.get('name'))} and the simulation both publish /joint_states",
-                    here="The robot jumps between two poses in the view.",
-                    gazebo="RViz shows the robot jumping between two poses.",
-                    remedy="Leave the node out when the robot is simulated: the simulation knows where the joints are.",
                     related=told[:1],
                 )
-
-
-def _other(launch: LaunchFile, span: Span) -> Related:
-    source = launch.document.line(span.line)
-    return Related(file=launch.companion.file, span=span, text="it belongs to this", source=source)
-
-
-RULES = (
-    Rule(
-        id="LCH-E04",
-        title="a launch file that is not well-formed",
-        severity=Severity.ERROR,
-        look=launch_xml,
-    ),
-    Rule(
-        id="LCH-W05",
-        title="use_gui, which ROS Noetic ignores",
-        severity=Severity.NOTE,
-        look=old_gui_switch,
-    ),
-    Rule(
-        id="CTL-W07",
-        title="two publishers of joint states",
-        severity=Severity.WARNING,
-        look=two_joint_states,
-    ),
-)

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import JointEntry, LimitEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import number_text
 from simkit.urdf.rules.wording import called, refusal
 
-_E05, _W06, _E08, _I34 = "URDF-E05", "URDF-W06", "URDF-E08", "URDF-I34"
 _UNITS = {"revolute": "rad", "prismatic": "m", "continuous": "rad"}
 
 
-def no_limit(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-E05", "a revolute or prismatic joint without <limit>", Severity.ERROR)
+def no_limit(sheet: Sheet) -> Iterator[Find]:
     """A revolute or prismatic joint without limits.
 
     ROS says `Joint [elbow] is of type REVOLUTE but it does not specify limits` and refuses the robot. A `revolute` joint turns
@@ -40,9 +40,7 @@ def no_limit(sheet: Sheet) -> Iterator[Diagnostic]:
         turns = joint.type == "revolute"
         bounds = 'lower="-1.5708" upper="1.5708"' if turns else 'lower="0" upper="0.1"'
         other = ' Or write type="continuous" if it may turn without end.' if turns else ""
-        yield sheet.find(
-            _E05,
-            Severity.ERROR,
+        yield Find(
             joint.element.attribute("type") or joint.element,
             element=joint.element,
             what=f"{called(joint.element)} is {joint.type} and has no <limit>",
@@ -52,7 +50,14 @@ def no_limit(sheet: Sheet) -> Iterator[Diagnostic]:
         )
 
 
-def no_authority(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-W06",
+    "effort or velocity 0: the joint is unable to move",
+    Severity.WARNING,
+    here="With physics the joint does not follow its commands; sliders still move it.",
+    gazebo="Gazebo applies no force beyond the effort and lets no motor exceed the velocity.",
+)
+def no_authority(sheet: Sheet) -> Iterator[Find]:
     """A joint that may not push, or may not move.
 
     The joint never moves, whatever the controller sends. `effort` is the largest force or torque of its motor, `velocity` the
@@ -73,27 +78,24 @@ def no_authority(sheet: Sheet) -> Iterator[Diagnostic]:
         values = {"effort": limit.effort, "velocity": limit.velocity}
         bad = [name for name, value in values.items() if value is not None and value <= 0.0]
         if bad:
-            yield _unable(sheet, joint, limit, bad)
+            yield _unable(joint, limit, bad)
 
 
-def _unable(sheet: Sheet, joint: JointEntry, limit: LimitEntry, bad: list[str]) -> Diagnostic:
+def _unable(joint: JointEntry, limit: LimitEntry, bad: list[str]) -> Find:
     written = " and ".join(f'{name}="{limit.element.get(name)}"' for name in bad)
     able_to = {"effort": "10", "velocity": "1"}
     mended = " ".join(f'{name}="{able_to[name]}"' for name in bad)
     able = {"effort": "has no strength", "velocity": "may not move"}
-    return sheet.find(
-        _W06,
-        Severity.WARNING,
+    return Find(
         limit.element.attribute(bad[0]) or limit.element,
         element=limit.element,
         what=f"{called(joint.element)} has {written}: it {' and '.join(able[name] for name in bad)}",
         remedy=f"0 does not mean unlimited. Write what its motor can do, e.g. {mended}.",
-        here="With physics the joint does not follow its commands; sliders still move it.",
-        gazebo="Gazebo applies no force beyond the effort and lets no motor exceed the velocity.",
     )
 
 
-def lower_above_upper(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-E08", "lower limit above the upper one, or equal to it", Severity.ERROR)
+def lower_above_upper(sheet: Sheet) -> Iterator[Find]:
     """Limits the wrong way round, or without room between them.
 
     ROS accepts them without a word. The joint cannot be where it may be: Gazebo throws it about or holds it fast, and a slider
@@ -114,18 +116,14 @@ def lower_above_upper(sheet: Sheet) -> Iterator[Diagnostic]:
         if limit.lower is None or limit.upper is None:
             continue
         if limit.lower > limit.upper:
-            yield _crossed(sheet, joint, limit, limit.lower, limit.upper)
+            yield _crossed(joint, limit, limit.lower, limit.upper)
         elif limit.lower == limit.upper:
-            yield _no_room(sheet, joint, limit, limit.lower)
+            yield _no_room(joint, limit, limit.lower)
 
 
-def _crossed(
-    sheet: Sheet, joint: JointEntry, limit: LimitEntry, lower: float, upper: float
-) -> Diagnostic:
+def _crossed(joint: JointEntry, limit: LimitEntry, lower: float, upper: float) -> Find:
     low, high = number_text(lower), number_text(upper)
-    return sheet.find(
-        _E08,
-        Severity.ERROR,
+    return Find(
         limit.element.attribute("lower") or limit.element.attribute("upper") or limit.element,
         element=limit.element,
         what=f"{called(joint.element)} has lower {low} above upper {high}",
@@ -135,14 +133,13 @@ def _crossed(
     )
 
 
-def _no_room(sheet: Sheet, joint: JointEntry, limit: LimitEntry, at: float) -> Diagnostic:
+def _no_room(joint: JointEntry, limit: LimitEntry, at: float) -> Find:
     is_default = not (limit.element.get("lower") or limit.element.get("upper"))
     why = "no lower and upper, so both are 0" if is_default else f"both limits at {number_text(at)}"
     wide = 'lower="-1.5708" upper="1.5708"' if joint.type == "revolute" else 'lower="0" upper="0.1"'
-    return sheet.find(
-        _E08,
-        Severity.WARNING,
+    return Find(
         limit.element.attribute("lower") or limit.element,
+        severity=Severity.WARNING,
         element=limit.element,
         what=f"{called(joint.element)} has {why}: it cannot move",
         remedy=f'Give it room, e.g. {wide} ({_UNITS[str(joint.type)]}); or write type="fixed" if it is not to move.',
@@ -151,7 +148,15 @@ def _no_room(sheet: Sheet, joint: JointEntry, limit: LimitEntry, at: float) -> D
     )
 
 
-def limits_of_a_continuous_joint(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-I34",
+    "limits that a continuous joint does not look at",
+    Severity.NOTE,
+    remedy='Leave them out, or write type="revolute" if the joint is to stop there.',
+    here="The joint turns without end.",
+    gazebo="The joint turns without end.",
+)
+def limits_of_a_continuous_joint(sheet: Sheet) -> Iterator[Find]:
     """Limits of angle on a joint that has none.
 
     A `continuous` joint turns round and round; ROS and Gazebo do not look at its `lower` and `upper`. Either they are not
@@ -173,41 +178,8 @@ def limits_of_a_continuous_joint(sheet: Sheet) -> Iterator[Diagnostic]:
             continue
         given = [one for one in limit.element.attributes if one.name in ("lower", "upper")]
         if given and (limit.lower or limit.upper):
-            yield sheet.find(
-                _I34,
-                Severity.NOTE,
+            yield Find(
                 given[0],
                 element=limit.element,
                 what=f"{called(joint.element)} is continuous: its {' and '.join(one.name for one in given)} have no effect",
-                remedy='Leave them out, or write type="revolute" if the joint is to stop there.',
-                here="The joint turns without end.",
-                gazebo="The joint turns without end.",
             )
-
-
-RULES = (
-    Rule(
-        id=_E05,
-        title="a revolute or prismatic joint without <limit>",
-        severity=Severity.ERROR,
-        look=no_limit,
-    ),
-    Rule(
-        id=_W06,
-        title="effort or velocity 0: the joint is unable to move",
-        severity=Severity.WARNING,
-        look=no_authority,
-    ),
-    Rule(
-        id=_E08,
-        title="lower limit above the upper one, or equal to it",
-        severity=Severity.ERROR,
-        look=lower_above_upper,
-    ),
-    Rule(
-        id=_I34,
-        title="limits that a continuous joint does not look at",
-        severity=Severity.NOTE,
-        look=limits_of_a_continuous_joint,
-    ),
-)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
-from simkit.record import Record
 from simkit.urdf.rules.entries import JointEntry
 from simkit.urdf.rules.sheet import Sheet
 
 
-class Loop(Record):
+@dataclass(frozen=True, kw_only=True)
+class Loop:
     """Joints that lead from a link back to itself."""
 
     joints: tuple[JointEntry, ...]

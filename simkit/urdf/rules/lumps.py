@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from simkit.record import Record
+from dataclasses import dataclass
+
 from simkit.urdf.fixed_joints import KEEP_TAGS, TRUE, WORLD, leaders, merged_links
 from simkit.urdf.rules.bodies import mass_of
 from simkit.urdf.rules.entries import LinkEntry
@@ -13,7 +14,8 @@ _SMALL = 0.1
 "The inertia of a link with a smaller share of the mass of its lump hardly counts."
 
 
-class Lump(Record):
+@dataclass(frozen=True, kw_only=True)
+class Lump:
     """One body of Gazebo."""
 
     leader: LinkEntry

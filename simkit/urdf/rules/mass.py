@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.placed_shape import volume
 from simkit.urdf.rules.bodies import LIGHTEST, mass_of, solid
 from simkit.urdf.rules.entries import LinkEntry
@@ -27,7 +27,8 @@ _COUNTED = 50
 _OTHERS = "simkit does as Gazebo does; DART and Bullet alone would make it 1 kg, with an inertia of 1 kg m^2."
 
 
-def no_inertial(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-W10", "a link without mass and inertia", Severity.WARNING)
+def no_inertial(sheet: Sheet) -> Iterator[Find]:
     """A link has no `<inertial>`, so it has no mass.
 
     Symptom: In RViz all is well. In Gazebo the link is missing, and everything that hangs on it; of a root link without
@@ -62,10 +63,11 @@ def no_inertial(sheet: Sheet) -> Iterator[Diagnostic]:
         if not lump.mass and lump.leader is link and (whole or not _is_torn_off(sheet, link)):
             yield _left_out(sheet, lump, density)
         elif lump.mass and link.collisions:
-            yield _shape_without_mass(sheet, link, lump, density)
+            yield _shape_without_mass(link, lump, density)
 
 
-def no_mass(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-W40", "a mass of zero, or a negative one", Severity.ERROR)
+def no_mass(sheet: Sheet) -> Iterator[Find]:
     """A mass is zero or negative.
 
     Symptom: Gazebo leaves the link out, or refuses the robot; the engine divides by the mass, so motions explode.
@@ -86,12 +88,19 @@ def no_mass(sheet: Sheet) -> Iterator[Diagnostic]:
         if mass is None or mass > LIGHTEST or is_world(sheet, link.name):
             continue
         if mass < -LIGHTEST:
-            yield _negative(sheet, link, mass)
+            yield _negative(link, mass)
         else:
             yield _zero(sheet, link, lump_of.get(link.name or ""), density)
 
 
-def root_inertia(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-I45",
+    "a root link with a mass",
+    Severity.NOTE,
+    here="simkit computes all frames and the simulation with it.",
+    gazebo="robot_state_publisher warns: KDL does not support a root link with an inertia. Gazebo has no trouble.",
+)
+def root_inertia(sheet: Sheet) -> Iterator[Find]:
     """The root link has a mass.
 
     Symptom: robot_state_publisher warns that KDL does not support a root link with an inertia.
@@ -112,27 +121,22 @@ def root_inertia(sheet: Sheet) -> Iterator[Diagnostic]:
     for link in sheet.links if is_whole(sheet) else ():
         if sheet.is_root(link) and mass_of(link) and link.inertial is not None:
             below = "base_link" if link.name != "base_link" else "base_footprint"
-            yield sheet.find(
-                "URDF-I45",
-                Severity.NOTE,
+            yield Find(
                 link.inertial.element,
                 what=f"the root link {quoted(link.name)} has a mass",
-                here="simkit computes all frames and the simulation with it.",
-                gazebo="robot_state_publisher warns: KDL does not support a root link with an inertia. Gazebo has no trouble.",
                 remedy=f'To be rid of the warning add <link name="{below}"/> and a fixed joint from it to {quoted(link.name)}.',
             )
 
 
-def _robot_to_look_at(sheet: Sheet) -> Iterator[Diagnostic]:
+def _robot_to_look_at(sheet: Sheet) -> Iterator[Find]:
     shown = [link for link in sheet.links if link.visuals or link.collisions]
     if sheet.robot is None or not shown or not is_whole(sheet):
         return
     touched = any(link.collisions for link in shown)
     without = "a mass" if touched else "a mass or a collision shape"
-    yield sheet.find(
-        "URDF-W10",
-        Severity.NOTE,
+    yield Find(
         sheet.robot,
+        severity=Severity.NOTE,
         what=f"no link has {without}: a robot to look at, not to simulate",
         here="RViz and TF need neither. Spawned in a world it would be an empty model.",
         gazebo="Gazebo would spawn an empty model: it leaves out links without a mass.",
@@ -146,7 +150,7 @@ def _is_torn_off(sheet: Sheet, link: LinkEntry) -> bool:
     return joint is None or (joint.type == "fixed" and joint.parent not in sheet.link_by_name)
 
 
-def _left_out(sheet: Sheet, lump: Lump, density: float | None) -> Diagnostic:
+def _left_out(sheet: Sheet, lump: Lump, density: float | None) -> Find:
     link = lump.leader
     if sheet.is_root(link):
         what = f"the root link {quoted(link.name)} has no mass, and moving joints hang on it"
@@ -156,9 +160,7 @@ def _left_out(sheet: Sheet, lump: Lump, density: float | None) -> Diagnostic:
     else:
         what = f"{called(link.element)} has no <inertial>, so it has no mass"
         gazebo = f"Gazebo leaves out the link{_and_below(sheet, link.name)}, without a word."
-    return sheet.find(
-        "URDF-W10",
-        Severity.WARNING,
+    return Find(
         link.element,
         what=what,
         here=_OTHERS,
@@ -167,13 +169,10 @@ def _left_out(sheet: Sheet, lump: Lump, density: float | None) -> Diagnostic:
     )
 
 
-def _shape_without_mass(
-    sheet: Sheet, link: LinkEntry, lump: Lump, density: float | None
-) -> Diagnostic:
-    return sheet.find(
-        "URDF-W10",
-        Severity.NOTE,
+def _shape_without_mass(link: LinkEntry, lump: Lump, density: float | None) -> Find:
+    return Find(
         link.element,
+        severity=Severity.NOTE,
         what=f"{called(link.element)} has a collision shape, but no mass",
         here=_OTHERS,
         gazebo=_carried(lump),
@@ -205,10 +204,8 @@ def _density(sheet: Sheet) -> float | None:
     return masses / volumes if volumes else None
 
 
-def _negative(sheet: Sheet, link: LinkEntry, mass: float) -> Diagnostic:
-    return sheet.find(
-        "URDF-W40",
-        Severity.ERROR,
+def _negative(link: LinkEntry, mass: float) -> Find:
+    return Find(
         _mass_attribute(link),
         element=_mass_element(link),
         what=f"{called(link.element)} has a mass of {short(mass)} kg",
@@ -218,17 +215,16 @@ def _negative(sheet: Sheet, link: LinkEntry, mass: float) -> Diagnostic:
     )
 
 
-def _zero(sheet: Sheet, link: LinkEntry, lump: Lump | None, density: float | None) -> Diagnostic:
+def _zero(sheet: Sheet, link: LinkEntry, lump: Lump | None, density: float | None) -> Find:
     is_carried = lump is not None and lump.mass > 0.0
     shapes = solid(link)
     remedy = "Write its mass in kilograms; or tie it by a fixed joint to a link with mass, if it is only a frame."
     if shapes and density is not None:
         guess = short(density * sum(volume(one.shape) for one in shapes))
         remedy = f"Write its mass in kilograms: as dense as the other links, its shape weighs {guess} kg."
-    return sheet.find(
-        "URDF-W40",
-        Severity.NOTE if is_carried else Severity.WARNING,
+    return Find(
         _mass_attribute(link),
+        severity=Severity.NOTE if is_carried else Severity.WARNING,
         element=_mass_element(link),
         what=f"{called(link.element)} has no mass that counts: it must be more than {LIGHTEST:g} kg",
         here="simkit gives the link no mass, as Gazebo does.",
@@ -259,25 +255,3 @@ def _and_below(sheet: Sheet, name: str | None) -> str:
     if not found:
         return ""
     return f" and what hangs on it ({listed(found)})"
-
-
-RULES = (
-    Rule(
-        id="URDF-W10",
-        title="a link without mass and inertia",
-        severity=Severity.WARNING,
-        look=no_inertial,
-    ),
-    Rule(
-        id="URDF-W40",
-        title="a mass of zero, or a negative one",
-        severity=Severity.ERROR,
-        look=no_mass,
-    ),
-    Rule(
-        id="URDF-I45",
-        title="a root link with a mass",
-        severity=Severity.NOTE,
-        look=root_inertia,
-    ),
-)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import MaterialEntry
 from simkit.urdf.rules.meaning import meant_attribute
 from simkit.urdf.rules.number_repair import mended
@@ -14,14 +14,14 @@ from simkit.urdf.rules.values import number_text, numbers_text, read_number, sho
 from simkit.urdf.rules.wording import meant, quoted
 from simkit.xml import Attribute, Element
 
-_W22, _W23 = "URDF-W22", "URDF-W23"
 _GREY = "the shape is drawn in a default colour"
 _GREY_RGBA = "0.75 0.75 0.75 1"
 _MOST_CUT = 2.0
 "Of numbers up to this what is too much is cut off; larger ones are on a scale to 100 or 255."
 
 
-def undefined_material(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-W22", "a material that is not defined, or defined in two ways", Severity.WARNING)
+def undefined_material(sheet: Sheet) -> Iterator[Find]:
     """A material that nobody defines, or that is defined more than once.
 
     The part appears in grey or red, not in its colour; ROS prints `material 'sliver' undefined` and goes on. A material that
@@ -52,7 +52,7 @@ def undefined_material(sheet: Sheet) -> Iterator[Diagnostic]:
                 names.setdefault(material.name, material)
             if first is not None and material.name not in told and _differ(material, first):
                 told.add(material.name)
-                yield _redefined(sheet, material, first)
+                yield _redefined(material, first)
         elif material.name not in names and material.name not in told:
             told.add(material.name)
             more = uses[material.name] - 1
@@ -78,7 +78,7 @@ def _undefined(
     later: MaterialEntry | None,
     known: list[str],
     more: int,
-) -> Diagnostic:
+) -> Find:
     name = str(material.name)
     times = f" ({more + 1} times)" if more else ""
     color = f'<material name="{shown(name)}"><color rgba="0.75 0.75 0.75 1"/></material>'
@@ -89,13 +89,11 @@ def _undefined(
     elif later is not None:
         what = f"material {quoted(name)} is defined only further down, in line {later.element.span.line}"
         remedy = "Move its definition up into the robot, before the links."
-        related = [sheet.related(later.element, "it is defined here")]
+        related = [(later.element, "it is defined here")]
     else:
         what = f"material {quoted(name)} is not defined{times}"
         remedy = f"{meant(sheet.near(name, known))}Or define it in the robot: {color}."
-    return sheet.find(
-        _W22,
-        Severity.WARNING,
+    return Find(
         _name(material.element),
         element=material.element,
         what=what,
@@ -113,22 +111,21 @@ def _differ(material: MaterialEntry, first: MaterialEntry) -> bool:
     return is_other and looks != (first.rgba, first.texture)
 
 
-def _redefined(sheet: Sheet, material: MaterialEntry, first: MaterialEntry) -> Diagnostic:
+def _redefined(material: MaterialEntry, first: MaterialEntry) -> Find:
     old, new = (numbers_text(one.rgba or ()) or "a texture" for one in (first, material))
-    return sheet.find(
-        _W22,
-        Severity.WARNING,
+    return Find(
         material.color_element or material.element,
         element=material.element,
         what=f"material {quoted(material.name)} is defined as {new} here, and as {old} in line {first.element.span.line}",
         remedy="Give the two colours two names, or define the material once, in the robot.",
         here="The first definition counts wherever the material is only named.",
         gazebo="The first definition counts wherever the material is only named.",
-        related=[sheet.related(first.element, "it is defined here first")],
+        related=[(first.element, "it is defined here first")],
     )
 
 
-def bad_colour(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-W23", "a colour that is not four numbers from 0 to 1", Severity.WARNING)
+def bad_colour(sheet: Sheet) -> Iterator[Find]:
     """A colour that is not four numbers from 0 to 1.
 
     ROS says `malformed color rgba` and leaves the material without a colour; with three numbers it takes black, without a
@@ -149,7 +146,7 @@ def bad_colour(sheet: Sheet) -> Iterator[Diagnostic]:
         written = meant_attribute(color, "rgba", "color")
         trouble, right = _trouble(written)
         if trouble:
-            yield _bad(sheet, color, written, trouble.format(of=_of(material)), right)
+            yield _bad(color, written, trouble.format(of=_of(material)), right)
 
 
 def _of(material: MaterialEntry) -> str:
@@ -189,18 +186,14 @@ def _scaled(numbers: list[float]) -> str:
     return " ".join(number_text(round(min(max(value, 0.0), 1.0), 3)) for value in scaled)
 
 
-def _bad(
-    sheet: Sheet, color: Element, written: Attribute | None, what: str, right: str
-) -> Diagnostic:
+def _bad(color: Element, written: Attribute | None, what: str, right: str) -> Find:
     words = [] if written is None else written.value.split()
     numbers = [read_number(word) for word in words]
     is_black = len(words) not in (0, 4) and all(
         number is not None and 0.0 <= number <= 1.0 for number in numbers
     )
     follows = "The colour becomes black." if is_black else "The material gets no colour."
-    return sheet.find(
-        _W23,
-        Severity.WARNING,
+    return Find(
         written or color,
         element=color,
         what=what,
@@ -212,19 +205,3 @@ def _bad(
 
 def _name(element: Element) -> Attribute | Element:
     return element.attribute("name") or element
-
-
-RULES = (
-    Rule(
-        id=_W22,
-        title="a material that is not defined, or defined in two ways",
-        severity=Severity.WARNING,
-        look=undefined_material,
-    ),
-    Rule(
-        id=_W23,
-        title="a colour that is not four numbers from 0 to 1",
-        severity=Severity.WARNING,
-        look=bad_colour,
-    ),
-)

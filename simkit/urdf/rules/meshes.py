@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.errors import SimkitError
 from simkit.urdf.meshes import MeshFinder
 from simkit.urdf.model import Mesh
@@ -16,7 +16,6 @@ from simkit.urdf.rules.values import number_text, numbers_text, shown
 from simkit.urdf.rules.wording import part_of
 from simkit.xml import Attribute, Element
 
-_E18 = "URDF-E18"
 _LARGEST, _SMALLEST = 10.0, 0.001
 "Meshes larger or smaller than this [m] are most likely in another unit."
 _FIND = re.compile(r"\$\(find\s+([^)\s]+)\s*\)/?(.*)")
@@ -25,7 +24,8 @@ _LOST = "RViz shows nothing there and names the file in red; as a collision of G
 _PLACEHOLDER = "The robot is kept, with a placeholder there."
 
 
-def mesh(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-E18", "a mesh that is not there, or has an odd size", Severity.ERROR)
+def mesh(sheet: Sheet) -> Iterator[Find]:
     """A mesh whose file is not there, is named in a way that ROS does not know, or has an odd size.
 
     The part is not seen. `package://my_robot/meshes/hand.stl` is the file meshes/hand.stl in the folder of the package
@@ -63,7 +63,7 @@ class _Looker:
         self._packages: dict[str, bool] = {}
         self._unknown: dict[str, list[tuple[Element, Attribute, str]]] = {}
 
-    def look(self, body: BodyEntry, attribute: Attribute, *, count: int) -> Iterator[Diagnostic]:
+    def look(self, body: BodyEntry, attribute: Attribute, *, count: int) -> Iterator[Find]:
         """What is wrong with a mesh, told at the first of its `count` uses."""
         shape, element = body.shape, body.shape_element
         if not isinstance(shape, Mesh) or element is None:
@@ -85,7 +85,7 @@ class _Looker:
 
     def _file(
         self, body: BodyEntry, element: Element, attribute: Attribute, more: str
-    ) -> Iterator[Diagnostic]:
+    ) -> Iterator[Find]:
         name = attribute.value
         path, problem = self._finder.find(name)
         if path is None and not self._knows_package(name):
@@ -104,7 +104,7 @@ class _Looker:
             if extent is not None:
                 yield from self._odd_size(element, attribute, body.shape, extent)
 
-    def unknown_packages(self) -> Iterator[Diagnostic]:
+    def unknown_packages(self) -> Iterator[Find]:
         """One find for each package that is not there, however many meshes are in it."""
         remedy = "Put the package (a folder with a package.xml) beside this one, or name it in SIMKIT_PACKAGE_PATH."
         for meshes in self._unknown.values():
@@ -132,11 +132,10 @@ class _Looker:
         what: str,
         remedy: str,
         severity: Severity = Severity.ERROR,
-    ) -> Diagnostic:
-        return self._sheet.find(
-            _E18,
-            severity,
+    ) -> Find:
+        return Find(
             attribute,
+            severity=severity,
             element=element,
             what=what,
             remedy=remedy,
@@ -144,16 +143,15 @@ class _Looker:
             gazebo=_LOST,
         )
 
-    def _other_scheme(self, element: Element, attribute: Attribute, scheme: str) -> Diagnostic:
+    def _other_scheme(self, element: Element, attribute: Attribute, scheme: str) -> Find:
         gazebo = "ROS does not know it, and shows nothing."
         if scheme in ("http", "https"):
             gazebo = "ROS fetches it from the network, each time anew."
         elif scheme == "model":
             gazebo = "Only Gazebo knows it; RViz shows nothing."
-        return self._sheet.find(
-            _E18,
-            Severity.WARNING,
+        return Find(
             attribute,
+            severity=Severity.WARNING,
             element=element,
             what=f"mesh {shown(attribute.value)!r} is named with {scheme}://, which is not read here",
             remedy='Put the file into a package, and write "package://my_robot/meshes/...".',
@@ -161,12 +159,11 @@ class _Looker:
             gazebo=gazebo,
         )
 
-    def _relative(self, element: Element, attribute: Attribute, more: str) -> Diagnostic:
+    def _relative(self, element: Element, attribute: Attribute, more: str) -> Find:
         inner = attribute.value.lstrip("./")
-        return self._sheet.find(
-            _E18,
-            Severity.WARNING,
+        return Find(
             attribute,
+            severity=Severity.WARNING,
             element=element,
             what=f"mesh {shown(attribute.value)!r}{more} is named relative to this file, which ROS does not understand",
             remedy=f'Write "package://my_robot/{shown(inner)}", with the name of your package and the way from its folder.',
@@ -180,7 +177,7 @@ class _Looker:
         attribute: Attribute,
         shape: Mesh,
         extent: tuple[float, float, float],
-    ) -> Iterator[Diagnostic]:
+    ) -> Iterator[Find]:
         x, y, z = (abs(f) * size for f, size in zip(shape.scale, extent, strict=True))
         size = max(x, y, z)
         if _SMALLEST <= size <= _LARGEST or size == 0.0:
@@ -189,10 +186,9 @@ class _Looker:
         scale = numbers_text(number * factor for number in shape.scale)
         right = number_text(size * factor)
         fits = _SMALLEST < size * factor < _LARGEST
-        yield self._sheet.find(
-            _E18,
-            Severity.WARNING,
+        yield Find(
             element.attribute("scale") or attribute,
+            severity=Severity.WARNING,
             element=element,
             what=f"the mesh of {part_of(element)} is {number_text(size)} m long",
             remedy=f'If it is drawn in millimetres, write scale="{scale}": then it is {right} m long.'
@@ -207,13 +203,3 @@ def shown_long(text: str) -> str:
     """A reason for a message, on one line."""
     text = " ".join(text.split())
     return text if len(text) <= 200 else text[:197] + "..."
-
-
-RULES = (
-    Rule(
-        id=_E18,
-        title="a mesh that is not there, or has an odd size",
-        severity=Severity.ERROR,
-        look=mesh,
-    ),
-)

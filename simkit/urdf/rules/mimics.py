@@ -4,16 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import JointEntry
 from simkit.urdf.rules.meaning import meant_attribute
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.wording import called, listed, meant, quoted
 
-_E30 = "URDF-E30"
 
-
-def mimic(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-E30",
+    "<mimic> of a joint that is not there, is fixed, or follows in turn",
+    Severity.ERROR,
+    here="simkit does as ROS does.",
+    gazebo="ROS accepts the file; joint_state_publisher ends with an error, or the joint does not move.",
+)
+def mimic(sheet: Sheet) -> Iterator[Find]:
     """A joint that follows one that is not there, that does not move, or that follows it in turn.
 
     ROS accepts the file. joint_state_publisher then ends with an error, or the joint stays where it is. `<mimic>` names the
@@ -37,14 +42,14 @@ def mimic(sheet: Sheet) -> Iterator[Diagnostic]:
         if other is None:
             yield _unknown(sheet, joint, name)
         elif joint.name == name:
-            yield _find(sheet, joint, "follows itself", "Name the joint that it is to follow.")
+            yield _find(joint, "follows itself", "Name the joint that it is to follow.")
         elif joint.name in rings:
             ring = " -> ".join(quoted(one) for one in rings[joint.name][:8])
             remedy = "One of them must follow none: take its <mimic> out."
-            yield _find(sheet, joint, f"follows itself in the end: {ring}", remedy)
+            yield _find(joint, f"follows itself in the end: {ring}", remedy)
         elif other.type == "fixed":
             what = f"follows {called(other.element)}, which is fixed and never moves"
-            yield _find(sheet, joint, what, "Name a joint that moves.", Severity.WARNING)
+            yield _find(joint, what, "Name a joint that moves.", Severity.WARNING)
 
 
 def _followed(joint: JointEntry) -> str | None:
@@ -71,7 +76,7 @@ def _rings(follows: dict[str, str]) -> dict[str, list[str]]:
     return rings
 
 
-def _unknown(sheet: Sheet, joint: JointEntry, name: str) -> Diagnostic:
+def _unknown(sheet: Sheet, joint: JointEntry, name: str) -> Find:
     others = [one for one in sheet.joint_by_name if one != joint.name]
     near = sheet.near(name, others)
     remedy = f"{meant(near)}The other joints are {listed(others)}."
@@ -82,30 +87,15 @@ def _unknown(sheet: Sheet, joint: JointEntry, name: str) -> Diagnostic:
         if above and above[0].name:
             remedy = f"{quoted(name)} is a link; the joint above it is {quoted(above[0].name)}."
     what = f"follows the joint {quoted(name)}, which does not exist"
-    return _find(sheet, joint, what, remedy)
+    return _find(joint, what, remedy)
 
 
-def _find(
-    sheet: Sheet, joint: JointEntry, what: str, remedy: str, severity: Severity = Severity.ERROR
-) -> Diagnostic:
+def _find(joint: JointEntry, what: str, remedy: str, severity: Severity = Severity.ERROR) -> Find:
     element = joint.mimic_element or joint.element
-    return sheet.find(
-        _E30,
-        severity,
+    return Find(
         element.attribute("joint") or element,
+        severity=severity,
         element=element,
         what=f"{called(joint.element)} {what}",
         remedy=remedy,
-        here="simkit does as ROS does.",
-        gazebo="ROS accepts the file; joint_state_publisher ends with an error, or the joint does not move.",
     )
-
-
-RULES = (
-    Rule(
-        id=_E30,
-        title="<mimic> of a joint that is not there, is fixed, or follows in turn",
-        severity=Severity.ERROR,
-        look=mimic,
-    ),
-)

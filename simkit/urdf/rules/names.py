@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import JointEntry, LinkEntry, MaterialEntry
 from simkit.urdf.rules.meaning import meant_attribute
 from simkit.urdf.rules.sheet import Sheet
@@ -13,10 +13,9 @@ from simkit.urdf.rules.values import shown
 from simkit.urdf.rules.wording import called, loss, part_of, quoted, refusal
 from simkit.xml import Attribute, Element
 
-_E21, _E24, _W32 = "URDF-E21", "URDF-E24", "URDF-W32"
 
-
-def name_twice(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-E21", "two links, joints or materials of one name", Severity.ERROR)
+def name_twice(sheet: Sheet) -> Iterator[Find]:
     """Two links, joints or materials of one name.
 
     ROS says `link 'wheel' is not unique` and refuses the robot. Mostly a link or joint was copied, and its name not changed.
@@ -38,16 +37,14 @@ def name_twice(sheet: Sheet) -> Iterator[Diagnostic]:
         other = asked.get(id(entry)) or _free_name(str(entry.name), used, counts)
         wish = " (a joint asks for that link)" if id(entry) in asked else ""
         word = called(entry.element).partition(" ")[0]
-        yield sheet.find(
-            _E21,
-            Severity.ERROR,
+        yield Find(
             _name(entry.element),
             element=entry.element,
             what=f"there is a {word} {quoted(entry.name)} already, in line {before.element.span.line}",
             remedy=f'Give this one another name, e.g. name="{shown(other)}"{wish}.',
             here=refusal().here,
             gazebo=refusal().gazebo,
-            related=[sheet.related(_name(before.element), f"the first {word} of that name")],
+            related=[(_name(before.element), f"the first {word} of that name")],
         )
 
 
@@ -75,7 +72,8 @@ def _free_name(name: str, used: set[str], counts: dict[str, int]) -> str:
     return f"{name}_{number}"
 
 
-def name_missing(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-E24", "a name is missing", Severity.ERROR)
+def name_missing(sheet: Sheet) -> Iterator[Find]:
     """A robot, link, joint or material without a name.
 
     A link without a name cannot be the parent or child of a joint; a joint without one cannot be moved; ROS refuses a robot
@@ -93,23 +91,23 @@ def name_missing(sheet: Sheet) -> Iterator[Diagnostic]:
         return
     name = meant_attribute(sheet.robot, "name", "robot")
     if name is None or not name.value:
-        yield _nameless(sheet, sheet.robot, 'name="my_robot"', refuses=name is None)
+        yield _nameless(sheet.robot, 'name="my_robot"', refuses=name is None)
     asked = {id(link): name for name, link in names_for_spare_links(sheet).items()}
     refuses = len(sheet.links) > 1  # no joint can name such a link, so it is a second root
     for link in sheet.links:
         if link.name is None:
             wish = f'name="{asked[id(link)]}", which a joint asks for' if id(link) in asked else ""
-            yield _nameless(sheet, link.element, wish or 'name="my_link"', refuses=refuses)
+            yield _nameless(link.element, wish or 'name="my_link"', refuses=refuses)
     for joint in sheet.joints:
         if joint.name is None:
             wish = f'name="{joint.child or "my"}_joint"'
-            yield _nameless(sheet, joint.element, wish, refuses=joint.element.get("name") is None)
+            yield _nameless(joint.element, wish, refuses=joint.element.get("name") is None)
     for material in sheet.materials:
         if material.name is None:
-            yield _nameless(sheet, material.element, 'name="my_colour"', refuses=False)
+            yield _nameless(material.element, 'name="my_colour"', refuses=False)
 
 
-def _nameless(sheet: Sheet, element: Element, wish: str, *, refuses: bool) -> Diagnostic:
+def _nameless(element: Element, wish: str, *, refuses: bool) -> Find:
     empty = element.attribute("name")
     follows = refusal() if refuses else loss(element)
     here, gazebo = follows.here, follows.gazebo
@@ -124,10 +122,9 @@ def _nameless(sheet: Sheet, element: Element, wish: str, *, refuses: bool) -> Di
         gazebo = here
     whole = "the robot" if element.parent is None else f"a <{shown(element.name)}>"
     where = f" in {part_of(element)}" if element.name == "material" else ""
-    return sheet.find(
-        _E24,
-        severity,
+    return Find(
         empty or element,
+        severity=severity,
         element=element,
         what=f"{whole}{where} has {'an empty name' if empty is not None else 'no name'}",
         remedy=f"Give it one: {wish}.",
@@ -136,7 +133,13 @@ def _nameless(sheet: Sheet, element: Element, wish: str, *, refuses: bool) -> Di
     )
 
 
-def odd_name(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-W32",
+    "a name with white space or a slash, or that of a link and a joint",
+    Severity.WARNING,
+    here="It is taken as it is.",
+)
+def odd_name(sheet: Sheet) -> Iterator[Find]:
     """A name with white space, or with a slash at its begin; a joint that is called like a link.
 
     Names of links are names of TF frames. tf2 refuses frames that begin with a slash. A space, most of all one at the end that
@@ -158,56 +161,30 @@ def odd_name(sheet: Sheet) -> Iterator[Diagnostic]:
             continue
         better = "_".join(name.split()).lstrip("/") or "my_name"
         if name != "_".join(name.split()):
-            yield _odd(sheet, entry, Severity.WARNING, "has white space in its name", better)
+            yield _odd(entry, Severity.WARNING, "has white space in its name", better)
         elif name.startswith("/"):
-            yield _odd(sheet, entry, Severity.WARNING, "begins with a slash", better)
+            yield _odd(entry, Severity.WARNING, "begins with a slash", better)
     for joint in sheet.joints:
         if joint.name is not None and joint.name in sheet.link_by_name:
             what = "has the name of a link"
-            yield _odd(sheet, joint, Severity.NOTE, what, f"{joint.name}_joint")
+            yield _odd(joint, Severity.NOTE, what, f"{joint.name}_joint")
 
 
-def _odd(
-    sheet: Sheet, entry: LinkEntry | JointEntry, severity: Severity, what: str, better: str
-) -> Diagnostic:
+def _odd(entry: LinkEntry | JointEntry, severity: Severity, what: str, better: str) -> Find:
     gazebo = "ROS takes the name as it is; each space must be written everywhere else, too."
     if str(entry.name).startswith("/"):
         gazebo = "tf2 refuses frames that begin with a slash."
     elif severity is Severity.NOTE:
         gazebo = "ROS accepts it; newer Gazebos complain that the name is not unique."
-    return sheet.find(
-        _W32,
-        severity,
+    return Find(
         _name(entry.element),
+        severity=severity,
         element=entry.element,
         what=f"{called(entry.element)} {what}",
         remedy=f'Write name="{shown(better)}", and the same wherever it is named.',
-        here="It is taken as it is.",
         gazebo=gazebo,
     )
 
 
 def _name(element: Element) -> Attribute | Element:
     return element.attribute("name") or element
-
-
-RULES = (
-    Rule(
-        id=_E21,
-        title="two links, joints or materials of one name",
-        severity=Severity.ERROR,
-        look=name_twice,
-    ),
-    Rule(
-        id=_E24,
-        title="a name is missing",
-        severity=Severity.ERROR,
-        look=name_missing,
-    ),
-    Rule(
-        id=_W32,
-        title="a name with white space or a slash, or that of a link and a joint",
-        severity=Severity.WARNING,
-        look=odd_name,
-    ),
-)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import shown
 from simkit.urdf.rules.wording import quoted
@@ -12,7 +12,14 @@ from simkit.urdf.rules.wording import quoted
 _DECLARES = "xmlns:"
 
 
-def unused_namespace(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-I48",
+    "a namespace that nothing in the file uses",
+    Severity.NOTE,
+    here="It has no effect.",
+    gazebo="It has no effect.",
+)
+def unused_namespace(sheet: Sheet) -> Iterator[Find]:
     """A namespace that nothing in the file uses.
 
     Symptom: None. It only makes the file look as if it were more than a URDF.
@@ -41,23 +48,9 @@ def unused_namespace(sheet: Sheet) -> Iterator[Diagnostic]:
         for prefix in {name.partition(":")[0] for name in written if ":" in name}:
             names.pop(prefix, None)
     for prefix, attribute in names.items():
-        yield sheet.find(
-            "URDF-I48",
-            Severity.NOTE,
+        yield Find(
             attribute.name_span,
             element=sheet.robot,
             what=f"the namespace {quoted(prefix)} is declared, and nothing in the file uses it",
-            here="It has no effect.",
-            gazebo="It has no effect.",
             remedy=f"Leave out {shown(attribute.name)}.",
         )
-
-
-RULES = (
-    Rule(
-        id="URDF-I48",
-        title="a namespace that nothing in the file uses",
-        severity=Severity.NOTE,
-        look=unused_namespace,
-    ),
-)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.grammar import in_context
 from simkit.urdf.rules.number_repair import mended
 from simkit.urdf.rules.sheet import Sheet
@@ -13,7 +13,6 @@ from simkit.urdf.rules.wording import Loss, loss, part_of
 from simkit.urdf.urdfdom.numbers import to_double
 from simkit.xml import Attribute, Element
 
-_E19 = "URDF-E19"
 _VECTORS = {
     "origin": ("xyz", "rpy"),
     "axis": ("xyz",),
@@ -41,7 +40,8 @@ _MOST_LINES = 10
 "A value over more lines is not looked at so closely."
 
 
-def bad_number(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-E19", "no number, or not as many as needed (commas, units, formulas)", Severity.ERROR)
+def bad_number(sheet: Sheet) -> Iterator[Find]:
     """Something that is no number, or not so many numbers as there should be.
 
     ROS says `Unable to parse component [0,] to a double`, and names no line. Numbers stand with spaces between them, without
@@ -64,7 +64,7 @@ def bad_number(sheet: Sheet) -> Iterator[Diagnostic]:
             if count is not None:
                 trouble = _trouble(sheet, attribute, count)
                 if trouble:
-                    yield _bad(sheet, element, attribute, count, trouble)
+                    yield _bad(element, attribute, count, trouble)
 
 
 def _trouble(sheet: Sheet, attribute: Attribute, count: int) -> str:
@@ -107,19 +107,16 @@ def _odd_word(words: list[str]) -> str:
     return f"holds {shown(word)!r}, which is no number"
 
 
-def _bad(
-    sheet: Sheet, element: Element, attribute: Attribute, count: int, trouble: str
-) -> Diagnostic:
+def _bad(element: Element, attribute: Attribute, count: int, trouble: str) -> Find:
     right = mended(attribute.value, count)
     many = "one number" if count == 1 else f"{count} numbers with spaces between them"
     example = _EXAMPLES.get(attribute.name, "0 0 0.5") if count > 1 else "0.5"
     if element.name == "axis":
         example = "0 0 1"
     follows = _follows(element)
-    return sheet.find(
-        _E19,
-        follows.severity,
+    return Find(
         attribute,
+        severity=follows.severity,
         element=element,
         what=f"{attribute.name}={shown(attribute.value)!r} of {part_of(element)} {trouble}",
         remedy=f'Write {attribute.name}="{right}".'
@@ -139,13 +136,3 @@ def _follows(element: Element) -> Loss:
             gazebo="It is not looked at: this joint has no axis.",
         )
     return loss(element)
-
-
-RULES = (
-    Rule(
-        id=_E19,
-        title="no number, or not as many as needed (commas, units, formulas)",
-        severity=Severity.ERROR,
-        look=bad_number,
-    ),
-)

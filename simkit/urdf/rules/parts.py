@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.bodies import fitting_tensor
 from simkit.urdf.rules.grammar import in_context
 from simkit.urdf.rules.meaning import meant_children, meant_word
@@ -17,7 +17,6 @@ from simkit.urdf.rules.vocabulary import SHAPES, WORDS
 from simkit.urdf.rules.wording import called, loss, part_of
 from simkit.xml import Element
 
-_E25, _E26, _W35 = "URDF-E25", "URDF-E26", "URDF-W35"
 _NEEDED = {
     "inertial": {
         "mass": '<mass value="1"/>',
@@ -36,7 +35,8 @@ _OTHER_SHAPES = {
 }
 
 
-def attribute_missing(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-E25", "an attribute that must be there is missing", Severity.ERROR)
+def attribute_missing(sheet: Sheet) -> Iterator[Find]:
     """An element without an attribute that it must have.
 
     In a joint, ROS refuses the robot (`joint limit: no effort`). In a link, it loses the rest of the link and goes on: with an
@@ -60,10 +60,9 @@ def attribute_missing(sheet: Sheet) -> Iterator[Diagnostic]:
         if missing:
             follows = loss(element)
             names = " and ".join(missing) if len(missing) < 3 else ", ".join(missing)
-            yield sheet.find(
-                _E25,
-                follows.severity,
+            yield Find(
                 element,
+                severity=follows.severity,
                 what=f"<{shown(element.name)}> of {part_of(element)} lacks {names}",
                 remedy=_end_text(sheet, element, word) or wanted_text(element, word, missing),
                 here=follows.here,
@@ -71,7 +70,8 @@ def attribute_missing(sheet: Sheet) -> Iterator[Diagnostic]:
             )
 
 
-def element_missing(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-E26", "a part that must be there is missing, or an unknown shape", Severity.ERROR)
+def element_missing(sheet: Sheet) -> Iterator[Find]:
     """An element without a part that it must have.
 
     A joint needs a parent and a child, a visual and a collision need a geometry, a geometry needs a box, cylinder, sphere or
@@ -94,15 +94,15 @@ def element_missing(sheet: Sheet) -> Iterator[Diagnostic]:
     if sheet.robot is None:
         return
     if not sheet.links:
-        yield _lacking(sheet, sheet.robot, "link", '<link name="base_link"/>')
+        yield _lacking(sheet.robot, "link", '<link name="base_link"/>')
     for element, word in in_context(sheet.robot):
         if word == "geometry":
-            yield from _no_shape(sheet, element)
+            yield from _no_shape(element)
         if word in _NEEDED:
             parts = meant_children(element, word)
             for name, example in _NEEDED[word].items():
                 if not parts[name]:
-                    yield _lacking(sheet, element, name, _computed(sheet, element, name) or example)
+                    yield _lacking(element, name, _computed(sheet, element, name) or example)
 
 
 def _end_text(sheet: Sheet, element: Element, word: str) -> str:
@@ -125,13 +125,12 @@ def _computed(sheet: Sheet, element: Element, name: str) -> str:
     return ""
 
 
-def _lacking(sheet: Sheet, element: Element, name: str, example: str) -> Diagnostic:
+def _lacking(element: Element, name: str, example: str) -> Find:
     follows = loss(element)
     whole = called(element) if element.parent is None or element.name == "joint" else ""
-    return sheet.find(
-        _E26,
-        follows.severity,
+    return Find(
         element,
+        severity=follows.severity,
         what=f"{whole or part_of(element)} has no <{name}>",
         remedy=f"Add one, e.g. {example}.",
         here=follows.here,
@@ -139,7 +138,7 @@ def _lacking(sheet: Sheet, element: Element, name: str, example: str) -> Diagnos
     )
 
 
-def _no_shape(sheet: Sheet, geometry: Element) -> Iterator[Diagnostic]:
+def _no_shape(geometry: Element) -> Iterator[Find]:
     shape = geometry.children[0] if geometry.children else None
     if shape is not None and (shape.name in SHAPES or meant_word(shape, SHAPES) is not None):
         return  # misspelt ones are told of by the rule of unknown words
@@ -151,10 +150,9 @@ def _no_shape(sheet: Sheet, geometry: Element) -> Iterator[Diagnostic]:
         what = f"<{shown(shape.name)}> in {part_of(geometry)} is no shape that URDF knows"
         other = _OTHER_SHAPES.get(shape.name.lower())
         remedy = f"{known} Take {other}." if other else known
-    yield sheet.find(
-        _E26,
-        follows.severity,
+    yield Find(
         shape or geometry,
+        severity=follows.severity,
         what=what,
         remedy=remedy,
         here=follows.here,
@@ -162,7 +160,14 @@ def _no_shape(sheet: Sheet, geometry: Element) -> Iterator[Diagnostic]:
     )
 
 
-def repeated_part(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-W35",
+    "a part stands there twice, and only the first one counts",
+    Severity.WARNING,
+    here="It is not looked at.",
+    gazebo="It is not looked at.",
+)
+def repeated_part(sheet: Sheet) -> Iterator[Find]:
     """A part that may stand there once stands there twice.
 
     Only the first one counts, and nothing is said. A second visual or collision is fine; a second origin, geometry, inertial,
@@ -189,46 +194,20 @@ def repeated_part(sheet: Sheet) -> Iterator[Diagnostic]:
     for element, word in in_context(sheet.robot):
         for name, found in meant_children(element, word).items():
             if len(found) > 1 and name not in WORDS[word].many:
-                yield _repeated(sheet, name, found[1], found[0])
+                yield _repeated(name, found[1], found[0])
         shapes = element.children if word == "geometry" else []
         if len(shapes) > 1 and shapes[0].name != shapes[1].name:
-            yield _repeated(sheet, "shape", shapes[1], shapes[0])
+            yield _repeated("shape", shapes[1], shapes[0])
 
 
-def _repeated(sheet: Sheet, name: str, second: Element, first: Element) -> Diagnostic:
+def _repeated(name: str, second: Element, first: Element) -> Find:
     in_visual = name in ("geometry", "shape")
     whole = part_of(second.parent or second)
-    return sheet.find(
-        _W35,
-        Severity.WARNING,
+    return Find(
         second,
         what=f"a second {name} in {whole}: only the first one counts",
         remedy="Give it a visual or collision of its own."
         if in_visual
         else "Take one of them out.",
-        here="It is not looked at.",
-        gazebo="It is not looked at.",
-        related=[sheet.related(first, "this one counts")],
+        related=[(first, "this one counts")],
     )
-
-
-RULES = (
-    Rule(
-        id=_E25,
-        title="an attribute that must be there is missing",
-        severity=Severity.ERROR,
-        look=attribute_missing,
-    ),
-    Rule(
-        id=_E26,
-        title="a part that must be there is missing, or an unknown shape",
-        severity=Severity.ERROR,
-        look=element_missing,
-    ),
-    Rule(
-        id=_W35,
-        title="a part stands there twice, and only the first one counts",
-        severity=Severity.WARNING,
-        look=repeated_part,
-    ),
-)

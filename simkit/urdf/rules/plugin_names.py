@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import PluginEntry
 from simkit.urdf.rules.joint_names import known_names
 from simkit.urdf.rules.lumps import parents_by_fixed_joint
@@ -14,7 +14,8 @@ from simkit.urdf.rules.wording import meant, quoted
 from simkit.xml import Element
 
 
-def plugin_names_nothing(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("GZ-E09", "a plugin that names a joint or link that is not there", Severity.ERROR)
+def plugin_names_nothing(sheet: Sheet) -> Iterator[Find]:
     """A plugin names a joint or link that is not there.
 
     Symptom: `couldn't get wheel hinge joint named ...`, and the robot does not drive; or a scan that RViz cannot show,
@@ -49,14 +50,12 @@ def plugin_names_nothing(sheet: Sheet) -> Iterator[Diagnostic]:
             elif kind is Kind.LINK and value not in sheet.link_by_name:
                 yield _no_link(sheet, plugin, name, value)
             elif kind is Kind.LINK and value in lumped and element is not None:
-                yield _lumped_link(sheet, element, value, lumped)
+                yield _lumped_link(element, value, lumped)
             elif kind is Kind.FRAME and value.lstrip("/") not in sheet.link_by_name:
                 yield _no_frame(sheet, plugin, name, value)
 
 
-def _no_joint(
-    sheet: Sheet, plugin: PluginEntry, name: str, value: str, moving: list[str]
-) -> Diagnostic:
+def _no_joint(sheet: Sheet, plugin: PluginEntry, name: str, value: str, moving: list[str]) -> Find:
     element = plugin.parameter(name)
     joint = sheet.joint_by_name.get(value)
     what = f"<{name}> names {quoted(value)}, and there is no such joint"
@@ -67,26 +66,20 @@ def _no_joint(
     remedy = _name_remedy(sheet, "joints that move", value, moving)
     if element is None:
         remedy = f"Add <{name}>...</{name}>. {known_names('joints that move', moving)}"
-    return sheet.find(
-        "GZ-E09",
-        Severity.ERROR,
+    return Find(
         plugin.element if element is None else element.text_span or element,
         element=element or plugin.element,
         what=what,
         here="simkit refuses to start the plugin.",
         gazebo="The plugin does not load: couldn't get wheel hinge joint.",
         remedy=remedy,
-        related=()
-        if joint is None
-        else [sheet.related(joint.element, "a fixed joint is gone in Gazebo")],
+        related=() if joint is None else [(joint.element, "a fixed joint is gone in Gazebo")],
     )
 
 
-def _no_link(sheet: Sheet, plugin: PluginEntry, name: str, value: str) -> Diagnostic:
+def _no_link(sheet: Sheet, plugin: PluginEntry, name: str, value: str) -> Find:
     element = plugin.parameter(name)
-    return sheet.find(
-        "GZ-E09",
-        Severity.ERROR,
+    return Find(
         plugin.element if element is None else element.text_span or element,
         element=element or plugin.element,
         what=f"<{name}> names {quoted(value)}, and there is no such link",
@@ -98,16 +91,15 @@ def _no_link(sheet: Sheet, plugin: PluginEntry, name: str, value: str) -> Diagno
     )
 
 
-def _lumped_link(sheet: Sheet, element: Element, value: str, lumped: dict[str, str]) -> Diagnostic:
+def _lumped_link(element: Element, value: str, lumped: dict[str, str]) -> Find:
     leader = lumped[value]
     for _ in lumped:
         if leader not in lumped:
             break
         leader = lumped[leader]
-    return sheet.find(
-        "GZ-E09",
-        Severity.NOTE,
+    return Find(
         element.text_span or element,
+        severity=Severity.NOTE,
         element=element,
         what=f"<{element.name}> names {quoted(value)}, a link on a fixed joint",
         here="simkit keeps the link.",
@@ -116,17 +108,16 @@ def _lumped_link(sheet: Sheet, element: Element, value: str, lumped: dict[str, s
     )
 
 
-def _no_frame(sheet: Sheet, plugin: PluginEntry, name: str, value: str) -> Diagnostic:
+def _no_frame(sheet: Sheet, plugin: PluginEntry, name: str, value: str) -> Find:
     element = plugin.parameter(name)
     what = f"<{name}> names {quoted(value)}, and no link has that name"
     if element is None:
         what = (
             f"<{name}> is missing, so the plugin takes {quoted(value)}, and no link has that name"
         )
-    return sheet.find(
-        "GZ-E09",
-        Severity.WARNING,
+    return Find(
         plugin.element if element is None else element.text_span or element,
+        severity=Severity.WARNING,
         element=element or plugin.element,
         what=what,
         here="Its messages are in a frame that TF does not know, so the view cannot place them.",
@@ -139,13 +130,3 @@ def _no_frame(sheet: Sheet, plugin: PluginEntry, name: str, value: str) -> Diagn
 
 def _name_remedy(sheet: Sheet, kind: str, name: str, known: list[str]) -> str:
     return meant(sheet.near(name, known)).strip() or known_names(kind, known)
-
-
-RULES = (
-    Rule(
-        id="GZ-E09",
-        title="a plugin that names a joint or link that is not there",
-        severity=Severity.ERROR,
-        look=plugin_names_nothing,
-    ),
-)

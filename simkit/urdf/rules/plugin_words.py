@@ -7,9 +7,7 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Mapping
-from types import MappingProxyType
-
-from simkit.record import Record
+from dataclasses import dataclass, field
 
 
 class Kind(enum.Enum):
@@ -39,7 +37,8 @@ class Place(enum.Enum):
     CONTACT = 'in a <sensor type="contact"> in a <gazebo reference="...">'
 
 
-class PluginWord(Record):
+@dataclass(frozen=True, kw_only=True)
+class PluginWord:
     """One plugin."""
 
     filename: str
@@ -48,9 +47,9 @@ class PluginWord(Record):
     """Where it stands."""
     parameters: Mapping[str, Kind]
     """What it reads."""
-    defaults: Mapping[str, str] = MappingProxyType({})
+    defaults: Mapping[str, str] = field(default_factory=dict)
     """Names of joints and links that it takes where they are not given."""
-    other_spellings: Mapping[str, str] = MappingProxyType({})
+    other_spellings: Mapping[str, str] = field(default_factory=dict)
     """Words for a parameter that it does not read, with the one that it does."""
     unread: tuple[str, ...] = ("alwaysOn",)
     """Words that are often written, and have no effect."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import PluginEntry
 from simkit.urdf.rules.meaning import nearest
 from simkit.urdf.rules.plugin_words import (
@@ -26,7 +26,8 @@ _BOOLS = ("true", "false", "1", "0")
 _SENSOR_OF = {Place.RAY: "ray", Place.IMU: "imu", Place.CONTACT: "contact"}
 
 
-def unknown_plugin(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("GZ-E08", "a plugin that simkit does not have, or nobody has", Severity.ERROR)
+def unknown_plugin(sheet: Sheet) -> Iterator[Find]:
     """A plugin that simkit does not have, or that nobody has.
 
     Symptom: The robot does not drive, the topic does not appear. Gazebo says `Failed to load plugin` among a hundred other
@@ -44,7 +45,7 @@ def unknown_plugin(sheet: Sheet) -> Iterator[Diagnostic]:
     """
     for plugin in sheet.plugins:
         if not plugin.filename:
-            yield _no_filename(sheet, plugin)
+            yield _no_filename(plugin)
             continue
         if plugin.filename in PLUGINS:
             continue
@@ -62,10 +63,9 @@ def unknown_plugin(sheet: Sheet) -> Iterator[Diagnostic]:
         elif near is not None:
             gazebo = "Gazebo says: Failed to load plugin, and goes on without it."
             remedy = f"Did you mean {quoted(near)}?"
-        yield sheet.find(
-            "GZ-E08",
-            severity,
+        yield Find(
             plugin.element.attribute("filename") or plugin.element,
+            severity=severity,
             element=plugin.element,
             what=f"simkit has no plugin {quoted(plugin.filename)}",
             here="The plugin is not simulated.",
@@ -74,7 +74,14 @@ def unknown_plugin(sheet: Sheet) -> Iterator[Diagnostic]:
         )
 
 
-def plugin_in_wrong_place(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "GZ-E11",
+    "a plugin where it is not loaded",
+    Severity.ERROR,
+    here="simkit does not load it there.",
+    gazebo="Gazebo does not run it there.",
+)
+def plugin_in_wrong_place(sheet: Sheet) -> Iterator[Find]:
     """A plugin stands where it is not loaded.
 
     Symptom: Gazebo says that the plugin is of another type than it should be, or says nothing, and the plugin does not run.
@@ -99,18 +106,15 @@ def plugin_in_wrong_place(sheet: Sheet) -> Iterator[Diagnostic]:
         word = PLUGINS.get(plugin.filename or "")
         if word is None or _is_in_place(plugin, word):
             continue
-        yield sheet.find(
-            "GZ-E11",
-            Severity.ERROR,
+        yield Find(
             plugin.element,
             what=f"the plugin {quoted(word.filename)} stands {_place_of(plugin)}",
-            here="simkit does not load it there.",
-            gazebo="Gazebo does not run it there.",
             remedy=f"It belongs {word.place.value}.",
         )
 
 
-def plugin_parameter(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("GZ-W10", "a parameter that a plugin does not read, or cannot use", Severity.WARNING)
+def plugin_parameter(sheet: Sheet) -> Iterator[Find]:
     """A parameter that a plugin does not read, or cannot use.
 
     Symptom: The setting has no effect, and the plugin goes on with its default.
@@ -135,18 +139,16 @@ def plugin_parameter(sheet: Sheet) -> Iterator[Diagnostic]:
         for element in plugin.element.children:
             kind = word.parameters.get(element.name)
             if kind is None:
-                yield from _unread(sheet, word, element)
+                yield from _unread(word, element)
             else:
-                yield from _bad_value(sheet, element, kind)
+                yield from _bad_value(element, kind)
         for name in word.required:
             if plugin.parameter(name) is None:
                 yield _missing(sheet, plugin, word, name)
 
 
-def _no_filename(sheet: Sheet, plugin: PluginEntry) -> Diagnostic:
-    return sheet.find(
-        "GZ-E08",
-        Severity.ERROR,
+def _no_filename(plugin: PluginEntry) -> Find:
+    return Find(
         plugin.element,
         what=f"the plugin {quoted(plugin.name)} has no filename",
         here="The plugin is not simulated.",
@@ -196,7 +198,7 @@ def _place_of(plugin: PluginEntry) -> str:
     )
 
 
-def _unread(sheet: Sheet, word: PluginWord, element: Element) -> Iterator[Diagnostic]:
+def _unread(word: PluginWord, element: Element) -> Iterator[Find]:
     name = element.name
     meant = word.other_spellings.get(name) or (
         None if name in word.unread else nearest(name, tuple(word.parameters))
@@ -207,10 +209,9 @@ def _unread(sheet: Sheet, word: PluginWord, element: Element) -> Iterator[Diagno
     if meant is not None and not taken:
         value = shown(text) or "..."
         remedy = f"Write <{meant}>{value}</{meant}> if that is meant."
-    yield sheet.find(
-        "GZ-W10",
-        Severity.WARNING if meant is not None else Severity.NOTE,
+    yield Find(
         element,
+        severity=Severity.WARNING if meant is not None else Severity.NOTE,
         what=f"{quoted(word.filename)} reads no parameter <{shown(name)}>",
         here="It has no effect.",
         gazebo=f"It has no effect{_default_of(meant)}.",
@@ -228,7 +229,7 @@ def _default_of(meant: str | None) -> str:
     return f": the default of <{meant}> stays, {numbers[meant]}" if meant in numbers else ""
 
 
-def _bad_value(sheet: Sheet, element: Element, kind: Kind) -> Iterator[Diagnostic]:
+def _bad_value(element: Element, kind: Kind) -> Iterator[Find]:
     text = element.text.strip()
     number = read_number(text)
     problem = ""
@@ -241,9 +242,7 @@ def _bad_value(sheet: Sheet, element: Element, kind: Kind) -> Iterator[Diagnosti
     elif kind is Kind.POSITIVE and number is not None and number <= 0.0:
         problem = "must be more than 0"
     if problem:
-        yield sheet.find(
-            "GZ-W10",
-            Severity.WARNING,
+        yield Find(
             element.text_span or element,
             element=element,
             what=f"<{element.name}> {problem}: {quoted(text)}",
@@ -253,40 +252,16 @@ def _bad_value(sheet: Sheet, element: Element, kind: Kind) -> Iterator[Diagnosti
         )
 
 
-def _missing(sheet: Sheet, plugin: PluginEntry, word: PluginWord, name: str) -> Diagnostic:
+def _missing(sheet: Sheet, plugin: PluginEntry, word: PluginWord, name: str) -> Find:
     remedy = f"Add <{name}>...</{name}>."
     if word.parameters[name] is Kind.JOINTS:
         names = (joint.name for joint in sheet.joints if joint.moves and joint.name)
         some = ", ".join(itertools.islice(names, 20))
         remedy = f"Add <{name}>{shown(some)}</{name}>."
-    return sheet.find(
-        "GZ-W10",
-        Severity.WARNING,
+    return Find(
         plugin.element,
         what=f"{quoted(word.filename)} needs a parameter <{name}>",
         here="simkit refuses to start the plugin.",
         gazebo="The plugin does nothing.",
         remedy=remedy,
     )
-
-
-RULES = (
-    Rule(
-        id="GZ-E08",
-        title="a plugin that simkit does not have, or nobody has",
-        severity=Severity.ERROR,
-        look=unknown_plugin,
-    ),
-    Rule(
-        id="GZ-E11",
-        title="a plugin where it is not loaded",
-        severity=Severity.ERROR,
-        look=plugin_in_wrong_place,
-    ),
-    Rule(
-        id="GZ-W10",
-        title="a parameter that a plugin does not read, or cannot use",
-        severity=Severity.WARNING,
-        look=plugin_parameter,
-    ),
-)

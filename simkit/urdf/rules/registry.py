@@ -1,9 +1,9 @@
-"""Which rules there are. A new one is a function in the module of its topic, and an entry in that module's `RULES`.
+"""Which rules there are: each is a generator that is decorated with its row, in the module of its subject.
 
-A rule has a stable id: `URDF-` (what is written), `GZ-`, `CTL-` (what the simulation makes of it) and their kin; E, W or I for
-what it mostly reports (error, warning, note); and a number that is never used again.
+A row has a stable id: `URDF-` (what is written), `GZ-`, `CTL-` (what the simulation makes of it) and their kin; E, W or I for
+the worst that it reports (error, warning, note); and a number that is never used again.
 
-A topic is loaded when a file has what it looks at, so that the answer for a small robot comes soon.
+A subject is loaded when a file has what it looks at, so that the answer for a small robot comes soon.
 """
 
 from __future__ import annotations
@@ -13,10 +13,9 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 
 from simkit.diagnostics import Rule
+from simkit.diagnostics.table import in_table_order, rules_in
 from simkit.urdf.model import Mesh
 from simkit.urdf.rules.sheet import Sheet
-
-_GROUPS = ("URDF", "GZ", "CTL", "LCH", "LAS")
 
 
 def rules_for(sheet: Sheet) -> tuple[Rule, ...]:
@@ -27,18 +26,12 @@ def rules_for(sheet: Sheet) -> tuple[Rule, ...]:
 @cache
 def all_rules() -> tuple[Rule, ...]:
     """All rules, by id within their group."""
-    return tuple(sorted(_rules_of(_TOPICS), key=_place))
+    return in_table_order(_rules_of(_TOPICS))
 
 
 def _rules_of(topics: Iterable[str]) -> tuple[Rule, ...]:
     modules = [importlib.import_module(f"{__package__}.{topic}") for topic in topics]
-    return tuple(rule for module in modules for rule in module.RULES)
-
-
-def _place(rule: Rule) -> tuple[int, str]:
-    """URDF first; within a group by number."""
-    group, _, number = rule.id.partition("-")
-    return _GROUPS.index(group), number[1:]
+    return tuple(rule for module in modules for rule in rules_in(module))
 
 
 def _is_malformed(sheet: Sheet) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import OriginEntry
 from simkit.urdf.rules.paste import short
 from simkit.urdf.rules.sheet import Sheet
@@ -15,7 +15,14 @@ _FINE, _ROUGH = 5e-5, 5e-3
 _RIGHT = math.pi / 2.0
 
 
-def rounded_angle(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-I46",
+    "a right angle with too few digits",
+    Severity.NOTE,
+    here="simkit turns it by what is written.",
+    gazebo="ROS and Gazebo turn it by what is written.",
+)
+def rounded_angle(sheet: Sheet) -> Iterator[Find]:
     """A right angle with too few digits.
 
     Symptom: A wheel wobbles by a hair, an arm that should be level is not quite: a tenth of a degree is 2 mm at the end of a
@@ -42,14 +49,10 @@ def rounded_angle(sheet: Sheet) -> Iterator[Diagnostic]:
     element = origin.element
     if element is None:
         return
-    yield sheet.find(
-        "URDF-I46",
-        Severity.NOTE,
+    yield Find(
         element.attribute("rpy") or element,
         element=element,
         what=f"{value:g} misses {math.degrees(right):.0f}° by {short(abs(math.degrees(value - right)))}°{more}",
-        here="simkit turns it by what is written.",
-        gazebo="ROS and Gazebo turn it by what is written.",
         remedy=f"Write {right:.6f} if a right angle is meant; mostly it does not matter.",
     )
 
@@ -72,13 +75,3 @@ def _rounded(origin: OriginEntry) -> list[float]:
         for value in origin.rpy or ()
         if abs(value) > 1.0 and _FINE < abs(value - _RIGHT * round(value / _RIGHT)) < _ROUGH
     ]
-
-
-RULES = (
-    Rule(
-        id="URDF-I46",
-        title="a right angle with too few digits",
-        severity=Severity.NOTE,
-        look=rounded_angle,
-    ),
-)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.frame import Frame
 from simkit.urdf.model import Pose
 from simkit.urdf.placed_shape import PlacedShape
@@ -23,7 +23,8 @@ _RAYS = ("ray", "gpu_ray")
 _MOST_SHAPES = 2000
 
 
-def sensor_values(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("GZ-W14", "a sensor with a value that makes no sense", Severity.ERROR)
+def sensor_values(sheet: Sheet) -> Iterator[Find]:
     """A sensor with a value that makes no sense.
 
     Symptom: No scan, a scan of one beam, or one that looks in the wrong direction.
@@ -42,25 +43,32 @@ def sensor_values(sheet: Sheet) -> Iterator[Diagnostic]:
     """
     for block, sensor in _sensors(sheet):
         for element, what, remedy in _value_faults(sheet, sensor):
-            yield _find(sheet, Severity.WARNING, element, what, remedy)
+            yield _find(Severity.WARNING, element, what, remedy)
         if not block.reference:
             what = f"the sensor {quoted(sensor.get('name'))} belongs to no link"
             remedy = 'Put it into a <gazebo reference="..."> that names its link.'
-            yield _find(sheet, Severity.ERROR, sensor, what, remedy)
+            yield _find(Severity.ERROR, sensor, what, remedy)
         kind = sensor.get("type")
         if kind in SENSOR_TYPES and kind not in SIMULATED_SENSORS and kind != "gpu_ray":
             what = f"simkit does not simulate sensors of type {quoted(kind)}"
-            yield _find(sheet, Severity.NOTE, sensor, what, "simkit has ray, imu and contact.")
+            yield _find(Severity.NOTE, sensor, what, "simkit has ray, imu and contact.")
         elif sensor.child("plugin") is None and kind in SENSOR_TYPES:
             what = (
                 f"the sensor {quoted(sensor.get('name'))} has no plugin, so ROS hears nothing of it"
             )
             near = next((w.filename for w in PLUGINS.values() if f'type="{kind}"' in w.place.value), "...")  # fmt: skip
             remedy = f'Add <plugin name="..." filename="{near}"> to the sensor.'
-            yield _find(sheet, Severity.NOTE, sensor, what, remedy)
+            yield _find(Severity.NOTE, sensor, what, remedy)
 
 
-def laser_inside(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "LAS-W01",
+    "a laser inside of the robot's own shape",
+    Severity.WARNING,
+    here="Its beams hit the robot itself.",
+    gazebo="Its beams hit the robot itself.",
+)
+def laser_inside(sheet: Sheet) -> Iterator[Find]:
     """A laser that sits inside the robot's own collision shape.
 
     Symptom: The scan shows the shortest distance, or -inf, all around.
@@ -90,14 +98,10 @@ def laser_inside(sheet: Sheet) -> Iterator[Diagnostic]:
         near = _number(sensor, "ray", "range", "min") or 0.0
         for name, shape in shapes:
             if shape.depth(eye.origin) > 0.0 and _reaches_beyond(shape, eye, near):
-                yield sheet.find(
-                    "LAS-W01",
-                    Severity.WARNING,
+                yield Find(
                     sensor,
                     what=f"the laser {quoted(sensor.get('name'))} sits inside of the collision shape of {quoted(name)}, "
                     f"{short(shape.depth(eye.origin))} m deep",
-                    here="Its beams hit the robot itself.",
-                    gazebo="Its beams hit the robot itself.",
                     remedy=f"Move {quoted(block.reference)} out of {quoted(name)}, or raise <min> beyond its shape.",
                 )
                 break
@@ -192,13 +196,10 @@ def _swapped(element: Element, low: str, high: str) -> Iterator[tuple[Element, s
     yield place, what, f"Write the smaller one in <{low}>."
 
 
-def _find(sheet: Sheet, severity: Severity, at: object, what: str, remedy: str) -> Diagnostic:
-    element = at if isinstance(at, Element) else None
-    return sheet.find(
-        "GZ-W14",
-        severity,
-        at,  # type: ignore[arg-type]
-        element=element,
+def _find(severity: Severity, at: Element, what: str, remedy: str) -> Find:
+    return Find(
+        at,
+        severity=severity,
         what=what,
         here="Nothing is published."
         if severity is Severity.NOTE
@@ -245,19 +246,3 @@ def _reaches_beyond(shape: PlacedShape, eye: Frame, near: float) -> bool:
     ways = [(math.cos(turn), math.sin(turn), 0.0) for turn in (math.pi / 8 * i for i in range(16))]
     starts = [eye.point((near * x, near * y, 0.0)) for x, y, _ in ways]
     return any(shape.depth(start) > 0.0 for start in starts)
-
-
-RULES = (
-    Rule(
-        id="GZ-W14",
-        title="a sensor with a value that makes no sense",
-        severity=Severity.ERROR,
-        look=sensor_values,
-    ),
-    Rule(
-        id="LAS-W01",
-        title="a laser inside of the robot's own shape",
-        severity=Severity.WARNING,
-        look=laser_inside,
-    ),
-)

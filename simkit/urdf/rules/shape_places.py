@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.model import Vector
 from simkit.urdf.placed_shape import PlacedShape, extent
 from simkit.urdf.rules.bodies import centre_of_mass, outline, placed_shape
@@ -37,7 +37,14 @@ _CORNERS = [
 ]
 
 
-def mass_beside_shape(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-I14",
+    "the centre of mass outside of the link",
+    Severity.NOTE,
+    here="simkit puts the mass there.",
+    gazebo="Gazebo puts the mass there; View > Center of Mass shows it.",
+)
+def mass_beside_shape(sheet: Sheet) -> Iterator[Find]:
     """The centre of mass hovers outside of the link.
 
     Symptom: The robot tilts, or falls over where it should stand.
@@ -64,18 +71,15 @@ def mass_beside_shape(sheet: Sheet) -> Iterator[Diagnostic]:
         if distance <= 0.001 + _OUTSIDE * max(extent(shape.shape) for shape in shapes):
             continue
         middle = (link.collisions or link.visuals)[0].origin.xyz or (0.0, 0.0, 0.0)
-        yield sheet.find(
-            "URDF-I14",
-            Severity.NOTE,
+        yield Find(
             link.inertial.origin.element or link.inertial.element,
             what=f"the centre of mass of {called(link.element)} lies {short(distance)} m {where} the link (axes of the link)",
-            here="simkit puts the mass there.",
-            gazebo="Gazebo puts the mass there; View > Center of Mass shows it.",
             remedy=f'Write <origin xyz="{triple(middle)}"/> in the <inertial>, as the shape has it.',
         )
 
 
-def no_collision(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-W15", "a <visual> without a <collision>", Severity.WARNING)
+def no_collision(sheet: Sheet) -> Iterator[Find]:
     """A link is seen, but cannot be touched.
 
     Symptom: The link sinks into the floor, passes through others, and lasers do not see it.
@@ -102,10 +106,9 @@ def no_collision(sheet: Sheet) -> Iterator[Diagnostic]:
         if link.name is None or is_world(sheet, link.name):
             continue
         lump = lump_of[link.name]
-        yield sheet.find(
-            "URDF-W15",
-            Severity.NOTE if lump.touches else Severity.WARNING,
+        yield Find(
             link.visuals[0].element,
+            severity=Severity.NOTE if lump.touches else Severity.WARNING,
             what=f"{called(link.element)} is seen, but cannot be touched: it has a <visual> and no <collision>",
             here="Other things, and the beams of lasers, pass through it.",
             gazebo="Other things, and the beams of lasers, pass through it.",
@@ -113,7 +116,14 @@ def no_collision(sheet: Sheet) -> Iterator[Diagnostic]:
         )
 
 
-def seen_elsewhere(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-I16",
+    "<visual> and <collision> in different places",
+    Severity.NOTE,
+    here="simkit touches with the one and draws the other.",
+    gazebo="Gazebo touches with the one and draws the other; View > Collisions shows it.",
+)
+def seen_elsewhere(sheet: Sheet) -> Iterator[Find]:
     """What is seen of a link and what is touched of it are in different places.
 
     Symptom: The robot rolls on nothing, hits something before it gets there, or sinks into the floor.
@@ -138,24 +148,19 @@ def seen_elsewhere(sheet: Sheet) -> Iterator[Diagnostic]:
             distance = _apart(touched, seen)
             if distance <= _OFF * max(extent(touched.shape), extent(seen.shape)):
                 continue
-            yield sheet.find(
-                "URDF-I16",
-                Severity.NOTE,
+            yield Find(
                 collision.origin.element or collision.element,
                 what=f"what is touched of {called(link.element)} is {short(distance)} m off what is seen of it",
-                here="simkit touches with the one and draws the other.",
-                gazebo="Gazebo touches with the one and draws the other; View > Collisions shows it.",
                 remedy=f"Give both the same <origin>: {_origin_text(visual)} is that of the visual.",
-                related=[sheet.related(visual.origin.element or visual.element, "seen here")],
+                related=[(visual.origin.element or visual.element, "seen here")],
             )
 
 
-def _touches_nothing(sheet: Sheet, link: LinkEntry) -> Diagnostic:
+def _touches_nothing(sheet: Sheet, link: LinkEntry) -> Find:
     names = [one.name for one in sheet.links if one.visuals and one.name]
-    return sheet.find(
-        "URDF-W15",
-        Severity.NOTE,
+    return Find(
         link.visuals[0].element,
+        severity=Severity.NOTE,
         what=f"no link can be touched: {listed(names)} have masses and visuals, but no <collision>",
         here="The robot falls through floors, unless it is fixed to the world.",
         gazebo="The robot falls through floors, unless it is fixed to the world.",
@@ -222,25 +227,3 @@ def _beyond(point: Vector, shapes: Sequence[PlacedShape], axis: Vector) -> float
     """How far a point lies beyond all of some shapes in a direction of length 1 [m]."""
     height = point[0] * axis[0] + point[1] * axis[1] + point[2] * axis[2]
     return height - max(_height(shape, axis) for shape in shapes)
-
-
-RULES = (
-    Rule(
-        id="URDF-I14",
-        title="the centre of mass outside of the link",
-        severity=Severity.NOTE,
-        look=mass_beside_shape,
-    ),
-    Rule(
-        id="URDF-W15",
-        title="a <visual> without a <collision>",
-        severity=Severity.WARNING,
-        look=no_collision,
-    ),
-    Rule(
-        id="URDF-I16",
-        title="<visual> and <collision> in different places",
-        severity=Severity.NOTE,
-        look=seen_elsewhere,
-    ),
-)

@@ -7,13 +7,11 @@ so that each rule can look at its own matter. Misspelt words count as what they 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING, TypeVar
 
-from simkit.diagnostics import Diagnostic, Related, Severity
 from simkit.errors import near_names
-from simkit.record import Record, replace
 from simkit.urdf.rules.companion import Companion
 from simkit.urdf.rules.entries import (
     GazeboEntry,
@@ -34,7 +32,7 @@ from simkit.urdf.rules.reading import (
     read_transmission,
 )
 from simkit.urdf.rules.vocabulary import OTHER_TONGUES, WORDS
-from simkit.xml import Attribute, Document, Element, FaultKind, Span
+from simkit.xml import Document, Element, FaultKind, Span
 
 if TYPE_CHECKING:
     from simkit.packages import PackagePath
@@ -48,17 +46,16 @@ _MOST_NEAR = 60
 _MOST_KNOWN = 1000
 
 
+@dataclass
 class _Tally:
     """How often something was done for a sheet so far."""
 
-    def __init__(self) -> None:
-        self.finds: dict[tuple[str, str], int] = {}
-        """Finds by rule and name of the element."""
-        self.near_asked = 0
-        """Questions for near names."""
+    near_asked: int = 0
+    """Questions for near names."""
 
 
-class Sheet(Record):
+@dataclass(frozen=True, kw_only=True)
+class Sheet:
     """What a URDF file holds."""
 
     document: Document
@@ -83,80 +80,18 @@ class Sheet(Record):
     """All plugins in them."""
     transmissions: tuple[TransmissionEntry, ...] = ()
     """All transmissions."""
-    link_by_name: Mapping[str, LinkEntry] = MappingProxyType({})
+    link_by_name: Mapping[str, LinkEntry] = field(default_factory=dict)
     """Links by name; of several of one name the first."""
-    joint_by_name: Mapping[str, JointEntry] = MappingProxyType({})
+    joint_by_name: Mapping[str, JointEntry] = field(default_factory=dict)
     """Joints by name; of several of one name the first."""
-    joints_below: Mapping[str, tuple[JointEntry, ...]] = MappingProxyType({})
+    joints_below: Mapping[str, tuple[JointEntry, ...]] = field(default_factory=dict)
     """Joints by the name of their parent link, whether or not there is such a link."""
-    joints_above: Mapping[str, tuple[JointEntry, ...]] = MappingProxyType({})
+    joints_above: Mapping[str, tuple[JointEntry, ...]] = field(default_factory=dict)
     """Joints by the name of their child link, whether or not there is such a link."""
     xacro: tuple[Element, ...] = ()
     """Elements that only xacro understands. If there are any, all lists above are empty: xacro must be run first."""
     _mismatched: frozenset[Span | None]
     _tally: _Tally
-
-    def find(
-        self,
-        rule: str,
-        severity: Severity,
-        at: Element | Attribute | Span,
-        *,
-        what: str,
-        remedy: str,
-        here: str = "",
-        gazebo: str = "",
-        element: Element | None = None,
-        related: Iterable[Related] = (),
-        companion: Companion | None = None,
-    ) -> Diagnostic:
-        """A find, with its place.
-
-        Args:
-            rule: Id of the rule.
-            severity: How bad it is.
-            at: The element whose name, the attribute whose value, or the piece of a line that is at fault.
-            what: What is wrong; no full stop.
-            remedy: What would be right.
-            here: What simkit does with it.
-            gazebo: What ROS and Gazebo do with it.
-            element: The element it is about; needed where `at` is none.
-            related: Other places.
-            companion: File that `at` lies in; the URDF if None.
-        """
-        element = at if isinstance(at, Element) else element
-        kind = (rule, "" if element is None else element.name)
-        count = self._tally.finds[kind] = self._tally.finds.get(kind, 0) + 1
-        is_told = count <= MOST_FINDS  # writing a path takes time
-        span = place(at)
-        return Diagnostic(
-            rule=rule,
-            severity=severity,
-            file=self.document.file if companion is None else companion.file,
-            span=span,
-            source=(companion or self.document).line(span.line),
-            path="" if element is None else element.path if is_told else element.name,
-            what=what,
-            here=here,
-            gazebo=gazebo,
-            remedy=remedy,
-            related=tuple(related),
-        )
-
-    def related(
-        self, at: Element | Attribute | Span, text: str, *, companion: Companion | None = None
-    ) -> Related:
-        """A second place that belongs to a find.
-
-        Args:
-            at: Where it is.
-            text: What is there.
-            companion: File that it lies in; the URDF if None.
-        """
-        span = place(at)
-        file = self.document.file if companion is None else companion.file
-        source = (companion or self.document).line(span.line)
-        return Related(file=file, span=span, text=text, source=source)
 
     def near(self, name: str, known: Iterable[str]) -> list[str]:
         """Up to three names of `known` that may be meant by `name`; none once it was asked very often."""
@@ -173,13 +108,6 @@ class Sheet(Record):
     def is_root(self, link: LinkEntry) -> bool:
         """Whether no joint has this link as child."""
         return link.name is not None and link.name not in self.joints_above
-
-
-def place(at: Element | Attribute | Span) -> Span:
-    """The place of something: of an element its name, of an attribute its value."""
-    if isinstance(at, Span):
-        return at
-    return at.value_span if isinstance(at, Attribute) else at.span
 
 
 def read_sheet(

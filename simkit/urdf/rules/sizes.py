@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.model import Box, Cylinder, Geometry, Mesh, Sphere
 from simkit.urdf.rules.entries import BodyEntry, JointEntry
 from simkit.urdf.rules.meaning import meant_attribute
@@ -13,12 +13,16 @@ from simkit.urdf.rules.values import number_text, numbers_text, read_number
 from simkit.urdf.rules.wording import called, part_of
 from simkit.xml import Attribute, Element
 
-_E31 = "URDF-E31"
 _HUGE = 20.0
 "Robots are smaller; a ground plane may be as large [m]."
 
 
-def bad_size(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-E31",
+    "a size that is negative, zero or far too large; negative damping or friction",
+    Severity.ERROR,
+)
+def bad_size(sheet: Sheet) -> Iterator[Find]:
     """A size that is negative or zero, or far too large; damping or friction below zero.
 
     ROS accepts it. RViz draws nothing, or the inside of the shape; Gazebo refuses the shape or falls over it. Sizes are lengths
@@ -34,12 +38,12 @@ def bad_size(sheet: Sheet) -> Iterator[Diagnostic]:
     """
     for link in sheet.links:
         for body in (*link.visuals, *link.collisions):
-            yield from _of_shape(sheet, body)
+            yield from _of_shape(body)
     for joint in sheet.joints:
-        yield from _of_dynamics(sheet, joint)
+        yield from _of_dynamics(joint)
 
 
-def _of_shape(sheet: Sheet, body: BodyEntry) -> Iterator[Diagnostic]:
+def _of_shape(body: BodyEntry) -> Iterator[Find]:
     element, shape = body.shape_element, body.shape
     if element is None or shape is None:
         return
@@ -48,11 +52,11 @@ def _of_shape(sheet: Sheet, body: BodyEntry) -> Iterator[Diagnostic]:
         if attribute is None:
             continue
         if min(numbers) < 0.0 and context != "mesh":
-            yield _negative(sheet, element, attribute, numbers)
+            yield _negative(element, attribute, numbers)
         elif min(map(abs, numbers)) == 0.0:
-            yield _zero(sheet, element, attribute)
+            yield _zero(element, attribute)
         elif max(numbers) > _HUGE and context != "mesh":
-            yield _large(sheet, element, attribute, max(numbers))
+            yield _large(element, attribute, max(numbers))
 
 
 def _sizes(shape: Geometry) -> list[tuple[str, str, tuple[float, ...]]]:
@@ -71,13 +75,9 @@ def _sizes(shape: Geometry) -> list[tuple[str, str, tuple[float, ...]]]:
             return [("scale", "mesh", shape.scale)]
 
 
-def _negative(
-    sheet: Sheet, element: Element, attribute: Attribute, numbers: tuple[float, ...]
-) -> Diagnostic:
+def _negative(element: Element, attribute: Attribute, numbers: tuple[float, ...]) -> Find:
     right = numbers_text(abs(number) for number in numbers)
-    return sheet.find(
-        _E31,
-        Severity.ERROR,
+    return Find(
         attribute,
         element=element,
         what=f"{attribute.name} {numbers_text(numbers)} in {part_of(element)} is negative",
@@ -87,13 +87,12 @@ def _negative(
     )
 
 
-def _zero(sheet: Sheet, element: Element, attribute: Attribute) -> Diagnostic:
+def _zero(element: Element, attribute: Attribute) -> Find:
     right = "0.1 0.1 0.1" if attribute.name == "size" else "0.1"
     right = "1 1 1" if attribute.name == "scale" else right
-    return sheet.find(
-        _E31,
-        Severity.WARNING,
+    return Find(
         attribute,
+        severity=Severity.WARNING,
         element=element,
         what=f"{attribute.name}={attribute.value!r} in {part_of(element)} is zero: the shape has no volume",
         remedy=f'Give it a size, e.g. {attribute.name}="{right}" [m].',
@@ -102,11 +101,10 @@ def _zero(sheet: Sheet, element: Element, attribute: Attribute) -> Diagnostic:
     )
 
 
-def _large(sheet: Sheet, element: Element, attribute: Attribute, size: float) -> Diagnostic:
-    return sheet.find(
-        _E31,
-        Severity.NOTE,
+def _large(element: Element, attribute: Attribute, size: float) -> Find:
+    return Find(
         attribute,
+        severity=Severity.NOTE,
         element=element,
         what=f"{attribute.name} {number_text(size)} in {part_of(element)} is in metres: that is large for a robot",
         remedy=f"If millimetres are meant, write {number_text(size / 1000)}; if centimetres, {number_text(size / 100)}.",
@@ -115,15 +113,13 @@ def _large(sheet: Sheet, element: Element, attribute: Attribute, size: float) ->
     )
 
 
-def _of_dynamics(sheet: Sheet, joint: JointEntry) -> Iterator[Diagnostic]:
+def _of_dynamics(joint: JointEntry) -> Iterator[Find]:
     element = joint.dynamics_element
     for name in ("damping", "friction") if element is not None else ():
         attribute = None if element is None else meant_attribute(element, name, "dynamics")
         value = None if attribute is None else read_number(attribute.value)
         if attribute is not None and value is not None and value < 0.0:
-            yield sheet.find(
-                _E31,
-                Severity.ERROR,
+            yield Find(
                 attribute,
                 element=element,
                 what=f"{called(joint.element)} has {name} {number_text(value)}: below zero it drives the joint",
@@ -131,13 +127,3 @@ def _of_dynamics(sheet: Sheet, joint: JointEntry) -> Iterator[Diagnostic]:
                 here="With physics the joint gains speed by itself.",
                 gazebo="ROS accepts it; in Gazebo the joint gains speed by itself, and the robot explodes.",
             )
-
-
-RULES = (
-    Rule(
-        id=_E31,
-        title="a size that is negative, zero or far too large; negative damping or friction",
-        severity=Severity.ERROR,
-        look=bad_size,
-    ),
-)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.model import Cylinder
 from simkit.urdf.placed_shape import PlacedShape, extent, overlap
 from simkit.urdf.rules.bodies import simple_shapes
@@ -26,7 +26,14 @@ _BELOW = 1e-4
 "The floor may be touched this deep [m]."
 
 
-def in_the_floor(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "GZ-W06",
+    "a robot that reaches below z = 0",
+    Severity.NOTE,
+    here="Spawned at z = 0 it starts in the floor, which pushes it out.",
+    gazebo="Spawned at z = 0 it starts in the floor, and jumps or tips over.",
+)
+def in_the_floor(sheet: Sheet) -> Iterator[Find]:
     """The robot reaches below z = 0, so it is spawned in the floor.
 
     Symptom: It jumps up, tips over or flies away as soon as the simulation starts.
@@ -56,18 +63,15 @@ def in_the_floor(sheet: Sheet) -> Iterator[Diagnostic]:
     if body is None or lowest + (height or 0.0) > -_BELOW:
         return
     told = "" if height is None else f", and the launch file spawns it at z = {short(height)}"
-    yield sheet.find(
-        "GZ-W06",
-        Severity.NOTE,
+    yield Find(
         body.element,
         what=f"the robot reaches {short(-lowest)} m below its root link (here, with {quoted(name)}){told}",
-        here="Spawned at z = 0 it starts in the floor, which pushes it out.",
-        gazebo="Spawned at z = 0 it starts in the floor, and jumps or tips over.",
         remedy=f"Spawn it with -z {_up(-lowest)} or more.",
     )
 
 
-def in_itself(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-I44", "links that reach into each other", Severity.NOTE)
+def in_itself(sheet: Sheet) -> Iterator[Find]:
     """Links reach into each other.
 
     Symptom: In Gazebo and here nothing is seen of it, as long as the links of a robot do not touch each other. With
@@ -93,9 +97,7 @@ def in_itself(sheet: Sheet) -> Iterator[Diagnostic]:
     near = list(_overlapping(sheet, connections))
     apart = [pair for pair in near if connections.may_touch(*pair)]
     if apart:
-        yield sheet.find(
-            "URDF-I44",
-            Severity.NOTE,
+        yield Find(
             sheet.link_by_name[apart[0][1]].element,
             what=f"with all joints at 0, links reach into each other that no joint connects: {_shown(apart)}",
             here="Nothing happens: the links of a robot pass through each other.",
@@ -104,9 +106,7 @@ def in_itself(sheet: Sheet) -> Iterator[Diagnostic]:
         )
     wheels = [pair for pair in near if connections.is_wheel_in_body(*pair)]
     if wheels:
-        yield sheet.find(
-            "URDF-I44",
-            Severity.NOTE,
+        yield Find(
             sheet.link_by_name[wheels[0][1]].element,
             what=f"a wheel reaches into the body: {_shown(wheels)}",
             here="Nothing happens: links with a joint between them pass through each other.",
@@ -209,19 +209,3 @@ def _spawn_height(sheet: Sheet) -> float | None:
 def _up(height: float) -> str:
     """A height [m] in millimetres, rounded up but for what does not matter."""
     return f"{math.ceil((height - _BELOW) * 1000) / 1000:g}"
-
-
-RULES = (
-    Rule(
-        id="GZ-W06",
-        title="a robot that reaches below z = 0",
-        severity=Severity.NOTE,
-        look=in_the_floor,
-    ),
-    Rule(
-        id="URDF-I44",
-        title="links that reach into each other",
-        severity=Severity.NOTE,
-        look=in_itself,
-    ),
-)

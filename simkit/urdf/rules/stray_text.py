@@ -4,17 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.grammar import in_context
 from simkit.urdf.rules.missing import missing_attributes
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import shown
 from simkit.urdf.rules.wording import called, part_of
 
-_I36 = "URDF-I36"
 
-
-def stray_text(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-I36",
+    "text where URDF has none",
+    Severity.NOTE,
+    here="It is not read.",
+    gazebo="It is not read.",
+)
+def stray_text(sheet: Sheet) -> Iterator[Find]:
     """Text between the tags, where URDF has none.
 
     Nobody reads it. Mostly a `>` was typed twice, or a comment was written without `<!--` and `-->`. In `<gazebo>` and
@@ -40,25 +45,11 @@ def stray_text(sheet: Sheet) -> Iterator[Diagnostic]:
             continue
         is_tag = text == ">"
         where = called(element) if element.parent is None else part_of(element)
-        yield sheet.find(
-            _I36,
-            Severity.NOTE,
+        yield Find(
             element.text_span,
             element=element,
             what=f"the text {shown(text)!r} in {where} says nothing to URDF",
             remedy="Take the second > out."
             if is_tag
             else "Take it out, or make it a comment: <!-- ... -->.",
-            here="It is not read.",
-            gazebo="It is not read.",
         )
-
-
-RULES = (
-    Rule(
-        id=_I36,
-        title="text where URDF has none",
-        severity=Severity.NOTE,
-        look=stray_text,
-    ),
-)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.inertia import ROUNDED, gyration_radius, is_positive_definite, triangle_ratio
 from simkit.urdf.matrix import IDENTITY, Matrix, eigenvalues
 from simkit.urdf.rules.bodies import fitting_tensor, mass_of, reach, tensor_of
@@ -20,7 +20,13 @@ _SHAKES = (
 )
 
 
-def impossible_inertia(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-W11",
+    "an inertia that no body can have",
+    Severity.WARNING,
+    gazebo="Newer Gazebo refuses the link (error 18, invalid inertia); in older ones it jitters or explodes.",
+)
+def impossible_inertia(sheet: Sheet) -> Iterator[Find]:
     """An inertia that no body can have.
 
     Symptom: The robot jitters, creeps, or explodes when it touches something. Newer Gazebo refuses the link.
@@ -52,18 +58,19 @@ def impossible_inertia(sheet: Sheet) -> Iterator[Diagnostic]:
             why += f"{short(low)} + {short(middle)}"
         if is_possible(_without_products(tensor)):
             why += "; without ixy, ixz and iyz it would be possible"
-        yield sheet.find(
-            "URDF-W11",
-            Severity.WARNING if counts(lump_of.get(link.name or ""), link) else Severity.NOTE,
+        yield Find(
             _tensor_element(link),
+            severity=Severity.WARNING
+            if counts(lump_of.get(link.name or ""), link)
+            else Severity.NOTE,
             what=f"no body can have the inertia of {called(link.element)}: {why}",
             here=_SHAKES,
-            gazebo="Newer Gazebo refuses the link (error 18, invalid inertia); in older ones it jitters or explodes.",
             remedy=tensor_remedy(link),
         )
 
 
-def zero_inertia(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-W41", "a mass, but an inertia of zero", Severity.WARNING)
+def zero_inertia(sheet: Sheet) -> Iterator[Find]:
     """A link has a mass, but an inertia of zero.
 
     Symptom: The link spins up at the slightest touch, or all its positions become "nan".
@@ -84,10 +91,9 @@ def zero_inertia(sheet: Sheet) -> Iterator[Diagnostic]:
             continue
         lump = lump_of.get(link.name or "")
         is_carried = lump is not None and _others_have_inertia(lump, link)
-        yield sheet.find(
-            "URDF-W41",
-            Severity.NOTE if is_carried else Severity.WARNING,
+        yield Find(
             _tensor_element(link),
+            severity=Severity.NOTE if is_carried else Severity.WARNING,
             what=f"{called(link.element)} has a mass of {short(mass_of(link))} kg and an inertia of zero",
             here="It is one body with its parent, which has an inertia." if is_carried else _SHAKES,
             gazebo="Gazebo makes one body of it and its parent: only its own share is missing."
@@ -97,7 +103,14 @@ def zero_inertia(sheet: Sheet) -> Iterator[Diagnostic]:
         )
 
 
-def identity_inertia(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-W42",
+    "an inertia of 1, 1, 1",
+    Severity.WARNING,
+    here="simkit computes with it: the link turns very sluggishly.",
+    gazebo="Gazebo computes with it: the link turns very sluggishly.",
+)
+def identity_inertia(sheet: Sheet) -> Iterator[Find]:
     """An inertia of 1, 1, 1: copied, not computed.
 
     Symptom: The link turns like a flywheel of a ship. Wheels hardly start and hardly stop, an arm needs enormous torques.
@@ -119,14 +132,11 @@ def identity_inertia(sheet: Sheet) -> Iterator[Diagnostic]:
         size = reach(link)
         is_too_wide = size > 0.0 and gyration_radius(tensor, mass_of(link)) > size
         is_bad = is_too_wide and counts(lump_of.get(link.name or ""), link)
-        yield sheet.find(
-            "URDF-W42",
-            Severity.WARNING if is_bad else Severity.NOTE,
+        yield Find(
             _tensor_element(link),
+            severity=Severity.WARNING if is_bad else Severity.NOTE,
             what=f"{called(link.element)} has the inertia 1, 1, 1: numbers of a template, not of {short(mass_of(link))} kg"
             + (f" that reaches {short(size)} m" if is_too_wide else ""),
-            here="simkit computes with it: the link turns very sluggishly.",
-            gazebo="Gazebo computes with it: the link turns very sluggishly.",
             remedy=tensor_remedy(link),
         )
 
@@ -172,25 +182,3 @@ def _without_products(tensor: Matrix) -> Matrix:
 def _others_have_inertia(lump: Lump, link: LinkEntry) -> bool:
     written = (_written(one) for one in lump.members if one is not link)
     return any(tensor is not None and not is_zero(tensor) for tensor in written)
-
-
-RULES = (
-    Rule(
-        id="URDF-W11",
-        title="an inertia that no body can have",
-        severity=Severity.WARNING,
-        look=impossible_inertia,
-    ),
-    Rule(
-        id="URDF-W41",
-        title="a mass, but an inertia of zero",
-        severity=Severity.WARNING,
-        look=zero_inertia,
-    ),
-    Rule(
-        id="URDF-W42",
-        title="an inertia of 1, 1, 1",
-        severity=Severity.WARNING,
-        look=identity_inertia,
-    ),
-)

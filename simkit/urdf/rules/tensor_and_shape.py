@@ -8,7 +8,7 @@ from __future__ import annotations
 import enum
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.inertia import gyration_radius
 from simkit.urdf.matrix import Matrix, eigenvalues
 from simkit.urdf.model import Cylinder
@@ -45,7 +45,14 @@ class _Mismatch(enum.Enum):
     FACTOR = enum.auto()
 
 
-def swapped_axes(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-W12",
+    "an inertia with its axes mixed up",
+    Severity.WARNING,
+    here="simkit computes with what is written: the link turns too easily about one axis and too hard about another.",
+    gazebo="Gazebo computes with what is written, too.",
+)
+def swapped_axes(sheet: Sheet) -> Iterator[Find]:
     """The inertia has the right numbers about the wrong axes.
 
     Symptom: A wheel that starts and stops oddly, a robot that leans in bends: the link is easy to turn where it should be
@@ -70,19 +77,23 @@ def swapped_axes(sheet: Sheet) -> Iterator[Diagnostic]:
         </collision>
     """
     for link, written, fitting, severity in _mismatches(sheet, _Mismatch.SWAPPED):
-        yield sheet.find(
-            "URDF-W12",
-            severity,
+        yield Find(
             _element(link),
+            severity=severity,
             what=f"the inertia of {called(link.element)} has its axes mixed up: it has {_moments(written)} about x, y, z, "
             f"its {_shape_name(link)} has {_moments(fitting)}",
-            here="simkit computes with what is written: the link turns too easily about one axis and too hard about another.",
-            gazebo="Gazebo computes with what is written, too.",
             remedy=swapped_remedy(link, fitting),
         )
 
 
-def too_wide(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-W13",
+    "an inertia that the link is too small for",
+    Severity.WARNING,
+    here="simkit computes with what is written: the link turns too sluggishly.",
+    gazebo="Gazebo computes with what is written, too.",
+)
+def too_wide(sheet: Sheet) -> Iterator[Find]:
     """An inertia that the link is too small for.
 
     Symptom: Sluggish wheels, an arm that hardly starts, or a robot that falls over when a small part turns.
@@ -102,20 +113,24 @@ def too_wide(sheet: Sheet) -> Iterator[Diagnostic]:
     """
     for link, written, fitting, severity in _mismatches(sheet, _Mismatch.TOO_WIDE):
         mass = mass_of(link)
-        yield sheet.find(
-            "URDF-W13",
-            severity,
+        yield Find(
             _element(link),
+            severity=severity,
             what=f"the inertia of {called(link.element)} is too large for it: {short(mass)} kg would have to lie "
             f"{short(gyration_radius(written, mass))} m from the centre, and the link reaches {short(reach(link))} m"
             + _explained(written, fitting, mass),
-            here="simkit computes with what is written: the link turns too sluggishly.",
-            gazebo="Gazebo computes with what is written, too.",
             remedy=tensor_remedy(link),
         )
 
 
-def other_size(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-W43",
+    "an inertia far from that of the shape",
+    Severity.WARNING,
+    here="simkit computes with what is written.",
+    gazebo="Gazebo computes with what is written.",
+)
+def other_size(sheet: Sheet) -> Iterator[Find]:
     """The inertia is far from that of the shape.
 
     Symptom: The link turns much more easily, or much harder, than a thing of that size and mass.
@@ -136,14 +151,11 @@ def other_size(sheet: Sheet) -> Iterator[Diagnostic]:
         word = "larger" if factor > 1.0 else "smaller"
         size = short(max(factor, 1.0 / factor))
         is_far = _is_far(factor) and outline(link)
-        yield sheet.find(
-            "URDF-W43",
-            severity if is_far else Severity.NOTE,
+        yield Find(
             _element(link),
+            severity=severity if is_far else Severity.NOTE,
             what=f"the inertia of {called(link.element)} is up to {size} times {word} than that of its shape"
             + _explained(written, fitting, mass_of(link)),
-            here="simkit computes with what is written.",
-            gazebo="Gazebo computes with what is written.",
             remedy=tensor_remedy(link),
         )
 
@@ -224,25 +236,3 @@ def _shape_name(link: LinkEntry) -> str:
 
 def _element(link: LinkEntry) -> Element:
     return link.element if link.inertial is None else link.inertial.inertia_element or link.element
-
-
-RULES = (
-    Rule(
-        id="URDF-W12",
-        title="an inertia with its axes mixed up",
-        severity=Severity.WARNING,
-        look=swapped_axes,
-    ),
-    Rule(
-        id="URDF-W13",
-        title="an inertia that the link is too small for",
-        severity=Severity.WARNING,
-        look=too_wide,
-    ),
-    Rule(
-        id="URDF-W43",
-        title="an inertia far from that of the shape",
-        severity=Severity.WARNING,
-        look=other_size,
-    ),
-)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.inertia import shape_tensor, turned
 from simkit.urdf.matrix import Matrix
 from simkit.urdf.model import Box, Cylinder
@@ -22,7 +22,14 @@ _NAMES = ("ixx", "iyy", "izz")
 _MOST_SHAPES = 20
 
 
-def odd_moment(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-W47",
+    "an inertia of which one moment is not that of the shape",
+    Severity.WARNING,
+    here="simkit computes with what is written.",
+    gazebo="Gazebo computes with what is written.",
+)
+def odd_moment(sheet: Sheet) -> Iterator[Find]:
     """One of three moments of inertia is not that of the shape, and the other two are.
 
     Symptom: The link turns a little too easily, or too hard, about that one axis; nobody sees it.
@@ -46,15 +53,11 @@ def odd_moment(sheet: Sheet) -> Iterator[Diagnostic]:
             continue
         for shape, formula, odd in _odd(link, written):
             name, element = _NAMES[odd], link.inertial.inertia_element or link.element
-            yield sheet.find(
-                "URDF-W47",
-                Severity.WARNING,
+            yield Find(
                 element.attribute(name) or element,
                 element=element,
                 what=f"the inertia of {called(link.element)} is that of its {_words(shape.shape)}, but for {name}: "
                 f"{short(written[odd][odd])} instead of {short(formula[odd][odd])}",
-                here="simkit computes with what is written.",
-                gazebo="Gazebo computes with what is written.",
                 remedy=f"Write {tensor_text(formula)}.",
             )
             break
@@ -99,13 +102,3 @@ def _words(shape: Primitive) -> str:
             return f"cylinder of radius {short(shape.radius)} and length {short(shape.length)} m"
         case _:
             return f"ball of radius {short(shape.radius)} m"
-
-
-RULES = (
-    Rule(
-        id="URDF-W47",
-        title="an inertia of which one moment is not that of the shape",
-        severity=Severity.WARNING,
-        look=odd_moment,
-    ),
-)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import TransmissionEntry
 from simkit.urdf.rules.joint_names import joint_advice, moving_joints
 from simkit.urdf.rules.meaning import nearest
@@ -27,7 +27,8 @@ _KINDS = ("SimpleTransmission", "DifferentialTransmission", "FourBarLinkageTrans
 _SKIPPED = "gazebo_ros_control skips the transmission: the joint cannot be controlled."
 
 
-def three_places(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("CTL-E01", "transmission, controller and type that do not fit", Severity.ERROR)
+def three_places(sheet: Sheet) -> Iterator[Find]:
     """The transmission, the controller and its type do not fit together.
 
     Symptom: `Could not find joint 'hip' in 'hardware_interface::PositionJointInterface'`, `No valid hardware interface
@@ -55,17 +56,18 @@ def three_places(sheet: Sheet) -> Iterator[Diagnostic]:
     """
     moving, bad = moving_joints(sheet), _severity(sheet)
     for transmission in sheet.transmissions:
-        yield from _part_faults(sheet, transmission, bad)
+        yield from _part_faults(transmission, bad)
         for joint in transmission.joints:
             yield from _joint_faults(sheet, joint, moving, bad)
-            yield from _interface_faults(sheet, transmission, joint, bad)
+            yield from _interface_faults(transmission, joint, bad)
     if sheet.companions:
         from simkit.urdf.rules.controllers import controller_faults  # most calls have no YAML
 
         yield from controller_faults(sheet, offered_interfaces(sheet))
 
 
-def control_plugin(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("CTL-E02", "transmissions, but no plugin that reads them", Severity.WARNING)
+def control_plugin(sheet: Sheet) -> Iterator[Find]:
     """Transmissions, but nothing in the simulation that reads them.
 
     Symptom: `Controller Spawner couldn't find the expected controller_manager ROS interface`.
@@ -83,19 +85,16 @@ def control_plugin(sheet: Sheet) -> Iterator[Diagnostic]:
     plugins = [plugin for plugin in sheet.plugins if plugin.filename and "ros_control" in plugin.filename]  # fmt: skip
     if sheet.transmissions and not plugins:
         first = sheet.transmissions[0].element
-        yield sheet.find(
-            "CTL-E02",
-            Severity.WARNING if sheet.gazebo or sheet.companions else Severity.NOTE,
+        yield Find(
             first,
+            severity=Severity.WARNING if sheet.gazebo or sheet.companions else Severity.NOTE,
             what=f"{len(sheet.transmissions)} transmission{'s' if len(sheet.transmissions) > 1 else ''}, and no plugin {CONTROL}",
             here="No controller manager is started: the joints cannot be commanded.",
             gazebo="No controller manager is started: the spawner waits, and gives up.",
             remedy=f'Add <gazebo><plugin name="control" filename="{CONTROL}"/></gazebo>.',
         )
     elif plugins and not sheet.transmissions and moving_joints(sheet):
-        yield sheet.find(
-            "CTL-E02",
-            Severity.WARNING,
+        yield Find(
             plugins[0].element,
             what=f"the plugin {CONTROL}, and no <transmission> that says which joints it may move",
             here="The controller manager starts and has no joints.",
@@ -124,7 +123,7 @@ def _severity(sheet: Sheet) -> Severity:
     return Severity.ERROR if is_read else Severity.WARNING
 
 
-def _part_faults(sheet: Sheet, entry: TransmissionEntry, bad: Severity) -> Iterator[Diagnostic]:
+def _part_faults(entry: TransmissionEntry, bad: Severity) -> Iterator[Find]:
     missing = []
     if not entry.name:
         missing.append('the attribute name="..."')
@@ -135,10 +134,9 @@ def _part_faults(sheet: Sheet, entry: TransmissionEntry, bad: Severity) -> Itera
     if not entry.actuators:
         missing.append('<actuator name="...">')
     if missing:
-        yield sheet.find(
-            "CTL-E01",
-            bad,
+        yield Find(
             entry.element,
+            severity=bad,
             what=f"the transmission {quoted(entry.name)} lacks {' and '.join(missing)}",
             here=_SKIPPED.replace("gazebo_ros_control", "simkit"),
             gazebo=_SKIPPED,
@@ -148,10 +146,9 @@ def _part_faults(sheet: Sheet, entry: TransmissionEntry, bad: Severity) -> Itera
     name = kind.rpartition("/")[2]
     if name not in _KINDS and nearest(name, _KINDS) is not None:
         element = entry.element.child("type") or entry.element
-        yield sheet.find(
-            "CTL-E01",
-            Severity.NOTE,
+        yield Find(
             element.text_span or element,
+            severity=Severity.NOTE,
             element=element,
             what=f"there is no transmission of type {quoted(kind)}",
             here="simkit does not look at the type, as Gazebo.",
@@ -160,9 +157,7 @@ def _part_faults(sheet: Sheet, entry: TransmissionEntry, bad: Severity) -> Itera
         )
 
 
-def _joint_faults(
-    sheet: Sheet, joint: Element, moving: list[str], bad: Severity
-) -> Iterator[Diagnostic]:
+def _joint_faults(sheet: Sheet, joint: Element, moving: list[str], bad: Severity) -> Iterator[Find]:
     name = joint.get("name")
     entry = sheet.joint_by_name.get(name or "")
     if entry is not None and entry.type != "fixed":
@@ -171,10 +166,9 @@ def _joint_faults(
     if entry is not None:
         what = f"the transmission is for {quoted(name)}, a fixed joint"
     advice = "Leave out the transmission, or give the joint a type that moves."
-    yield sheet.find(
-        "CTL-E01",
-        bad,
+    yield Find(
         joint.attribute("name") or joint,
+        severity=bad,
         element=joint,
         what=what,
         here="simkit leaves out the transmission.",
@@ -184,20 +178,19 @@ def _joint_faults(
 
 
 def _interface_faults(
-    sheet: Sheet, transmission: TransmissionEntry, joint: Element, bad: Severity
-) -> Iterator[Diagnostic]:
+    transmission: TransmissionEntry, joint: Element, bad: Severity
+) -> Iterator[Find]:
     element = joint.child("hardwareInterface")
     if element is None:
-        yield _no_interface(sheet, transmission, joint, bad)
+        yield _no_interface(transmission, joint, bad)
         return
     text = element.text.strip()
     bare = text.removeprefix(_PREFIX)
     if bare not in INTERFACES:
         near = nearest(bare, INTERFACES)
-        yield sheet.find(
-            "CTL-E01",
-            Severity.WARNING if bare in _READ_ONLY else bad,
+        yield Find(
             element.text_span or element,
+            severity=Severity.WARNING if bare in _READ_ONLY else bad,
             element=element,
             what=f"there is no hardware interface {quoted(text)}",
             here="simkit refuses to control the joint.",
@@ -207,10 +200,9 @@ def _interface_faults(
             else f"There are: {listed((_PREFIX + one for one in INTERFACES), 3)}.",
         )
     elif bare == text:
-        yield sheet.find(
-            "CTL-E01",
-            Severity.NOTE,
+        yield Find(
             element.text_span or element,
+            severity=Severity.NOTE,
             element=element,
             what=f"the interface {quoted(text)} is written in the old way",
             here="simkit takes it.",
@@ -219,33 +211,14 @@ def _interface_faults(
         )
 
 
-def _no_interface(
-    sheet: Sheet, transmission: TransmissionEntry, joint: Element, bad: Severity
-) -> Diagnostic:
+def _no_interface(transmission: TransmissionEntry, joint: Element, bad: Severity) -> Find:
     below = any(one.child("hardwareInterface") for one in transmission.actuators)
     where = ": it stands only in the <actuator>" if below else ""
-    return sheet.find(
-        "CTL-E01",
-        bad,
+    return Find(
         joint,
+        severity=bad,
         what=f"the joint {quoted(joint.get('name'))} of the transmission has no <hardwareInterface>{where}",
         here=_SKIPPED.replace("gazebo_ros_control", "simkit"),
         gazebo=f"No valid hardware interface element found: {_SKIPPED}",
         remedy=f"Add <hardwareInterface>{_PREFIX}{INTERFACES[0]}</hardwareInterface> to this <joint>.",
     )
-
-
-RULES = (
-    Rule(
-        id="CTL-E01",
-        title="transmission, controller and type that do not fit",
-        severity=Severity.ERROR,
-        look=three_places,
-    ),
-    Rule(
-        id="CTL-E02",
-        title="transmissions, but no plugin that reads them",
-        severity=Severity.WARNING,
-        look=control_plugin,
-    ),
-)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import JointEntry, LinkEntry
 from simkit.urdf.rules.loops import Loop, loops, two_parents
 from simkit.urdf.rules.sheet import MOST_FINDS, Sheet
@@ -13,10 +13,9 @@ from simkit.urdf.rules.values import shown
 from simkit.urdf.rules.wording import called, listed, meant, quoted, refusal
 from simkit.xml import Attribute, Element
 
-_E02, _E03, _E04 = "URDF-E02", "URDF-E03", "URDF-E04"
 
-
-def unknown_link(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-E02", "a joint names a link that does not exist", Severity.ERROR)
+def unknown_link(sheet: Sheet) -> Iterator[Find]:
     """A joint names a link that does not exist.
 
     ROS says `parent link [bas_link] of joint [hip] not found` and refuses the robot. Most often the name is misspelt, or the
@@ -39,7 +38,7 @@ def unknown_link(sheet: Sheet) -> Iterator[Diagnostic]:
             yield _unknown(sheet, name, uses)
 
 
-def _unknown(sheet: Sheet, name: str, uses: list[Wanted]) -> Diagnostic:
+def _unknown(sheet: Sheet, name: str, uses: list[Wanted]) -> Find:
     first = uses[0]
     near = sheet.near(name, sheet.link_by_name)
     more = len(uses) - 1
@@ -47,16 +46,11 @@ def _unknown(sheet: Sheet, name: str, uses: list[Wanted]) -> Diagnostic:
         f", and {more} more {'joint asks' if more == 1 else 'joints ask'} for it" if more else ""
     )
     related = [
-        sheet.related(_name(sheet.link_by_name[one].element), f"link {quoted(one)} is here")
-        for one in near[:1]
+        (_name(sheet.link_by_name[one].element), f"link {quoted(one)} is here") for one in near[:1]
     ]
-    related += [
-        sheet.related(use.at, f"{called(use.joint.element)} asks for it, too") for use in uses[1:4]
-    ]
+    related += [(use.at, f"{called(use.joint.element)} asks for it, too") for use in uses[1:4]]
     what = f"{called(first.joint.element)} has the {first.role} link {quoted(name)}, which does not exist"
-    return sheet.find(
-        _E02,
-        Severity.ERROR,
+    return Find(
         first.at,
         element=_element(first),
         what=what + others,
@@ -86,7 +80,8 @@ def _element(wanted: Wanted) -> Element:
     return element or wanted.joint.element
 
 
-def several_roots(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-E03", "several links hang on nothing", Severity.ERROR)
+def several_roots(sheet: Sheet) -> Iterator[Find]:
     """More than one link hangs on nothing.
 
     ROS says `Two root links found` and refuses the robot. A robot is a tree: one link, the root, hangs on nothing; each other
@@ -115,9 +110,7 @@ def several_roots(sheet: Sheet) -> Iterator[Diagnostic]:
     trees = "; ".join(f"{quoted(root.name)} carries {_carried(sheet, root)}" for root in roots[:4])
     ends = f'<parent link="{main.name}"/><child link="{others[0].name}"/>'
     joint = f'<joint name="{others[0].name}_joint" type="fixed">{ends}</joint>'
-    yield sheet.find(
-        _E03,
-        Severity.ERROR,
+    yield Find(
         _name(others[0].element),
         element=others[0].element,
         what=f"{len(roots)} links hang on nothing: {listed(str(root.name) for root in roots)}; a robot has one root ({trees})",
@@ -125,8 +118,7 @@ def several_roots(sheet: Sheet) -> Iterator[Diagnostic]:
         here=refusal().here,
         gazebo=refusal().gazebo,
         related=[
-            sheet.related(_name(root.element), f"root {quoted(root.name)}")
-            for root in (main, *others[1:4])
+            (_name(root.element), f"root {quoted(root.name)}") for root in (main, *others[1:4])
         ],
     )
 
@@ -161,7 +153,8 @@ def _carried(sheet: Sheet, root: LinkEntry) -> str:
     return listed(_below(sheet, root), 4) or "nothing"
 
 
-def no_tree(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-E04", "a loop, or a link with two parents", Severity.ERROR)
+def no_tree(sheet: Sheet) -> Iterator[Find]:
     """A link with two parents, or a loop of joints.
 
     In a robot each link hangs on one joint, and following the parents ends at the root. A loop has no end: ROS finds no root,
@@ -181,12 +174,12 @@ def no_tree(sheet: Sheet) -> Iterator[Diagnostic]:
     roots = [root for root in sheet.link_by_name.values() if sheet.is_root(root)]
     free = [str(root.name) for root in roots if root.name not in sheet.joints_below]
     for loop in loops(sheet):
-        yield _loop(sheet, loop, free, has_root=bool(roots))
+        yield _loop(loop, free, has_root=bool(roots))
     for joint, before in two_parents(sheet):
-        yield _second_parent(sheet, joint, before, free, is_tree=len(roots) == 1)
+        yield _second_parent(joint, before, free, is_tree=len(roots) == 1)
 
 
-def _loop(sheet: Sheet, loop: Loop, free: list[str], *, has_root: bool) -> Diagnostic:
+def _loop(loop: Loop, free: list[str], *, has_root: bool) -> Find:
     joint = loop.joints[-1]
     around = " -> ".join(quoted(name) for name in (*loop.links[:8], loop.links[0]))
     what = f"{called(joint.element)} closes a loop: {around}"
@@ -198,9 +191,7 @@ def _loop(sheet: Sheet, loop: Loop, free: list[str], *, has_root: bool) -> Diagn
     elif has_root:
         gazebo = "ROS accepts the file, and loses the links of the loop without a word."
     other = _other_child(joint, free)
-    return sheet.find(
-        _E04,
-        Severity.ERROR,
+    return Find(
         _at(joint),
         element=joint.child_element or joint.element,
         what=what,
@@ -208,7 +199,7 @@ def _loop(sheet: Sheet, loop: Loop, free: list[str], *, has_root: bool) -> Diagn
         here="simkit refuses the file.",
         gazebo=gazebo,
         related=[
-            sheet.related(
+            (
                 one.element,
                 f"{called(one.element)}: {quoted(one.parent)} -> {quoted(one.child)}",
             )
@@ -219,13 +210,11 @@ def _loop(sheet: Sheet, loop: Loop, free: list[str], *, has_root: bool) -> Diagn
 
 
 def _second_parent(
-    sheet: Sheet, joint: JointEntry, before: JointEntry, free: list[str], *, is_tree: bool
-) -> Diagnostic:
+    joint: JointEntry, before: JointEntry, free: list[str], *, is_tree: bool
+) -> Find:
     gazebo = "ROS accepts the file and shows the link twice; in TF its frame gets two parents, and jumps."
     name, first, second = quoted(joint.child), called(before.element), called(joint.element)
-    return sheet.find(
-        _E04,
-        Severity.ERROR,
+    return Find(
         _at(joint),
         element=joint.child_element or joint.element,
         what=f"link {name} has two parents: {quoted(before.parent)} by {first}, {quoted(joint.parent)} by {second}",
@@ -233,7 +222,7 @@ def _second_parent(
         or f"Take {first} or {second} out, or give it another child.",
         here="simkit shows it twice, too." if is_tree else refusal().here,
         gazebo=gazebo if is_tree else refusal().gazebo,
-        related=[sheet.related(_at(before), "its first parent is given here")],
+        related=[(_at(before), "its first parent is given here")],
     )
 
 
@@ -252,25 +241,3 @@ def _name(element: Element) -> Attribute | Element:
 def _at(joint: JointEntry) -> Attribute | Element:
     child = joint.child_element
     return joint.element if child is None else child.attribute("link") or child
-
-
-RULES = (
-    Rule(
-        id=_E02,
-        title="a joint names a link that does not exist",
-        severity=Severity.ERROR,
-        look=unknown_link,
-    ),
-    Rule(
-        id=_E03,
-        title="several links hang on nothing",
-        severity=Severity.ERROR,
-        look=several_roots,
-    ),
-    Rule(
-        id=_E04,
-        title="a loop, or a link with two parents",
-        severity=Severity.ERROR,
-        look=no_tree,
-    ),
-)

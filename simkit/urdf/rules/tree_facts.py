@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
-from simkit.record import Record
 from simkit.urdf.rules.entries import JointEntry, LinkEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.xml import Attribute, Element
@@ -13,7 +13,8 @@ _MOST_LINKS = 200
 "In a larger robot nobody looks for the link that a joint lacks; it takes long."
 
 
-class Wanted(Record):
+@dataclass(frozen=True, kw_only=True)
+class Wanted:
     """A joint names a link that does not exist."""
 
     joint: JointEntry

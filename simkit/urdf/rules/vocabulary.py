@@ -6,11 +6,11 @@ Source: the URDF specification, and what urdfdom reads.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
-from simkit.record import Record
 
-
-class Word(Record):
+@dataclass(frozen=True, kw_only=True)
+class Word:
     """What may stand in an element."""
 
     children: tuple[str, ...] = ()

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.sheet import Sheet, is_for_xacro
 from simkit.urdf.rules.values import shown
 from simkit.urdf.rules.wording import refusal
 from simkit.urdf.urdfdom.numbers import MalformedError, check_version
 
-_E27, _E28, _E29 = "URDF-E27", "URDF-E28", "URDF-E29"
 _SDF = "This is SDF, Gazebo's other language. Spawn it with spawn_model -sdf, or write it anew as URDF."
 _OTHER_FILES = {
     **dict.fromkeys(("sdf", "gazebo", "world", "model"), _SDF),
@@ -22,7 +21,8 @@ _OTHER_FILES = {
 }
 
 
-def no_robot(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-E27", "the outermost element is not <robot>", Severity.ERROR)
+def no_robot(sheet: Sheet) -> Iterator[Find]:
     """The outermost element is not `<robot>`.
 
     ROS says `Could not find the 'robot' element in the xml file`. Either the file is something else (a world, a launch file),
@@ -47,9 +47,7 @@ def no_robot(sheet: Sheet) -> Iterator[Diagnostic]:
         remedy = "Write <robot>" + (", in small letters." if root.name.lower() == "robot" else ".")
     elif inner is not None:
         remedy = f"Take <{shown(root.name)}> out: the <robot> in line {inner.span.line} must be outermost."
-    yield sheet.find(
-        _E27,
-        Severity.ERROR,
+    yield Find(
         root,
         what=f"the outermost element is <{shown(root.name)}>, not <robot>",
         remedy=remedy,
@@ -58,7 +56,13 @@ def no_robot(sheet: Sheet) -> Iterator[Diagnostic]:
     )
 
 
-def bad_version(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-E28",
+    "a version of URDF that does not exist",
+    Severity.ERROR,
+    remedy='Take the attribute out, or write version="1.0": it is the version of the language, not of your robot.',
+)
+def bad_version(sheet: Sheet) -> Iterator[Find]:
     """A version other than 1.0.
 
     ROS says `Invalid 'version' specified; only version 1.0 is currently supported`. The attribute is not the version of your
@@ -75,13 +79,10 @@ def bad_version(sheet: Sheet) -> Iterator[Diagnostic]:
     version = None if sheet.robot is None else sheet.robot.attribute("version")
     if version is None or _is_known(version.value):
         return
-    yield sheet.find(
-        _E28,
-        Severity.ERROR,
+    yield Find(
         version,
         element=sheet.robot,
         what=f"version {shown(version.value)!r} of URDF does not exist",
-        remedy='Take the attribute out, or write version="1.0": it is the version of the language, not of your robot.',
         here=refusal().here,
         gazebo=refusal().gazebo,
     )
@@ -95,7 +96,14 @@ def _is_known(version: str) -> bool:
     return True
 
 
-def unexpanded_xacro(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "URDF-E29",
+    "a file for xacro, which has not been run on it",
+    Severity.ERROR,
+    here="No other rule looks at this file.",
+    gazebo="ROS ignores xacro's elements, and takes ${...} and $(...) as they are: for names, and for numbers that are none.",
+)
+def unexpanded_xacro(sheet: Sheet) -> Iterator[Find]:
     """A file for xacro, given where a URDF is needed.
 
     Parts are missing, or numbers are said to be none. xacro is a language of macros: `xacro:macro`, `${width / 2}`. The program
@@ -123,35 +131,9 @@ def unexpanded_xacro(sheet: Sheet) -> Iterator[Diagnostic]:
     name = sheet.document.file.rpartition("/")[2]
     stem = name.removesuffix(".xacro").removesuffix(".urdf")
     urdf = f"{stem}.urdf" if name != f"{stem}.urdf" else f"{stem}_made.urdf"
-    yield sheet.find(
-        _E29,
-        Severity.ERROR,
+    yield Find(
         attribute or element,
         element=element,
         what=f"{what} is for xacro, which has not been run on this file{more}",
         remedy=f'Make a URDF of it: simkit xacro {shown(name)} > {shown(urdf)}; in a launch file command="xacro ...".',
-        here="No other rule looks at this file.",
-        gazebo="ROS ignores xacro's elements, and takes ${...} and $(...) as they are: for names, and for numbers that are none.",
     )
-
-
-RULES = (
-    Rule(
-        id=_E27,
-        title="the outermost element is not <robot>",
-        severity=Severity.ERROR,
-        look=no_robot,
-    ),
-    Rule(
-        id=_E28,
-        title="a version of URDF that does not exist",
-        severity=Severity.ERROR,
-        look=bad_version,
-    ),
-    Rule(
-        id=_E29,
-        title="a file for xacro, which has not been run on it",
-        severity=Severity.ERROR,
-        look=unexpanded_xacro,
-    ),
-)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 
 from simkit.diagnostics import Severity
-from simkit.record import Record
 from simkit.urdf.rules.meaning import nearest
 from simkit.urdf.rules.values import shown
 from simkit.xml import Element
@@ -55,7 +55,8 @@ def meant(near: Iterable[str]) -> str:
     return f"Did you mean {' or '.join(names)}? " if names else ""
 
 
-class Loss(Record):
+@dataclass(frozen=True, kw_only=True)
+class Loss:
     """What follows if something cannot be read."""
 
     severity: Severity

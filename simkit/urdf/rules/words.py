@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.grammar import in_context
 from simkit.urdf.rules.meaning import meant_word, misspelt_attributes, nearest
 from simkit.urdf.rules.misplaced import advice
@@ -15,7 +15,6 @@ from simkit.urdf.rules.vocabulary import SHAPES, WORDS
 from simkit.urdf.rules.wording import loss, part_of, quoted
 from simkit.xml import Attribute, Element
 
-_W17 = "URDF-W17"
 _SILENT = "ROS and Gazebo ignore it without a word."
 _NEEDED = ("parent", "child", "geometry", "mass", "inertia", "link", "joint", *SHAPES)
 "Without these ROS refuses the file, or loses a part of it."
@@ -23,7 +22,8 @@ _SEVERITIES = {"link": Severity.ERROR, "joint": Severity.ERROR, "contact": Sever
 "What is lost with a link or joint in the wrong place is much; `<contact>` is Bullet's, and meant so."
 
 
-def unknown_word(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-W17", "an element or attribute that URDF does not know there", Severity.ERROR)
+def unknown_word(sheet: Sheet) -> Iterator[Find]:
     """An element or attribute that URDF does not know.
 
     The setting has no effect, and nobody says so: ROS ignores what it does not know. Some are slips of the pen (`<inertail>`).
@@ -45,10 +45,10 @@ def unknown_word(sheet: Sheet) -> Iterator[Diagnostic]:
     for element, word in in_context(sheet.robot):
         for child in element.children:
             yield from _unknown_element(sheet, child, word)
-        yield from _unknown_attributes(sheet, element, word)
+        yield from _unknown_attributes(element, word)
 
 
-def _unknown_element(sheet: Sheet, element: Element, context: str) -> Iterator[Diagnostic]:
+def _unknown_element(sheet: Sheet, element: Element, context: str) -> Iterator[Find]:
     words = WORDS[context].children
     if element.name in words or ":" in element.name or _is_told_elsewhere(element, context):
         return
@@ -76,10 +76,9 @@ def _unknown_element(sheet: Sheet, element: Element, context: str) -> Iterator[D
         remedy = advice(element, context) or f"Take it out. {may}"
     lost = near in _NEEDED and context != "robot"
     follows = loss(element.parent or element) if lost else None
-    yield sheet.find(
-        _W17,
-        severity,
+    yield Find(
         element,
+        severity=severity,
         what=what,
         remedy=remedy,
         here=follows.here if follows else "simkit does the same.",
@@ -128,7 +127,7 @@ def _is_told_elsewhere(element: Element, context: str) -> bool:
     return parent is not None and element.name in missing_attributes(parent, context)
 
 
-def _unknown_attributes(sheet: Sheet, element: Element, context: str) -> Iterator[Diagnostic]:
+def _unknown_attributes(element: Element, context: str) -> Iterator[Find]:
     known = WORDS[context].attributes
     unknown = [one for one in element.attributes if one.name not in known]
     meanings = (
@@ -139,19 +138,18 @@ def _unknown_attributes(sheet: Sheet, element: Element, context: str) -> Iterato
         is_other = ":" in name or name == "xmlns"
         is_told = name == "diameter" and "radius" in missing_attributes(element, context)
         if not is_other and not is_told:
-            yield _unknown_attribute(sheet, element, attribute, context, meanings.get(name))
+            yield _unknown_attribute(element, attribute, context, meanings.get(name))
 
 
 def _unknown_attribute(
-    sheet: Sheet, element: Element, attribute: Attribute, context: str, meant: str | None
-) -> Diagnostic:
+    element: Element, attribute: Attribute, context: str, meant: str | None
+) -> Find:
     name = attribute.name
     severity = Severity.ERROR if _is_needed(element, context, meant) else Severity.WARNING
     follows = loss(element) if severity is Severity.ERROR else None
-    return sheet.find(
-        _W17,
-        severity,
+    return Find(
         attribute.name_span,
+        severity=severity,
         element=element,
         what=f"<{shown(element.name)}> of {part_of(element)} has no attribute {shown(name)!r}",
         remedy=f'Did you mean {meant}="{shown(attribute.value)}"?'
@@ -180,13 +178,3 @@ def _advice(name: str, context: str) -> str:
         if known
         else f"Take it out: <{context}> has no attributes."
     )
-
-
-RULES = (
-    Rule(
-        id=_W17,
-        title="an element or attribute that URDF does not know there",
-        severity=Severity.ERROR,
-        look=unknown_word,
-    ),
-)

@@ -4,14 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.fixed_joints import WORLD
 from simkit.urdf.rules.entries import LinkEntry
 from simkit.urdf.rules.lumps import is_world
 from simkit.urdf.rules.sheet import Sheet
 
 
-def world_with_a_body(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule(
+    "GZ-W15",
+    "a root link called world that has a shape or a mass",
+    Severity.WARNING,
+    here="rviz shows it; in a world it is left out, as in Gazebo, and the robot is tied to the ground.",
+    gazebo="Gazebo leaves out the link with all that it has, and ties its joints to the ground, without a word.",
+    remedy='Call it otherwise, e.g. name="base_link"; to tie it down, add <link name="world"/> and a fixed joint.',
+)
+def world_with_a_body(sheet: Sheet) -> Iterator[Find]:
     """A root link called `world` that has a shape or a mass.
 
     Symptom: RViz shows the base of the robot; in Gazebo it is missing, and the robot stands screwed to nothing.
@@ -32,15 +40,10 @@ def world_with_a_body(sheet: Sheet) -> Iterator[Diagnostic]:
     link = sheet.link_by_name.get(WORLD)
     if link is None or not is_world(sheet, WORLD) or not _parts(link):
         return
-    yield sheet.find(
-        "GZ-W15",
-        Severity.WARNING,
+    yield Find(
         link.element.attribute("name") or link.element,
         element=link.element,
         what=f"the root link 'world' has {' and '.join(_parts(link))}, but Gazebo takes it for the ground",
-        here="rviz shows it; in a world it is left out, as in Gazebo, and the robot is tied to the ground.",
-        gazebo="Gazebo leaves out the link with all that it has, and ties its joints to the ground, without a word.",
-        remedy='Call it otherwise, e.g. name="base_link"; to tie it down, add <link name="world"/> and a fixed joint.',
     )
 
 
@@ -51,13 +54,3 @@ def _parts(link: LinkEntry) -> list[str]:
         "a mass": link.inertial is not None,
     }
     return [name for name, is_there in parts.items() if is_there]
-
-
-RULES = (
-    Rule(
-        id="GZ-W15",
-        title="a root link called world that has a shape or a mass",
-        severity=Severity.WARNING,
-        look=world_with_a_body,
-    ),
-)

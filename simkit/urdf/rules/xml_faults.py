@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Diagnostic, Rule, Severity
+from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.urdfdom.tinyxml import TinyXmlError, parse_tiny
 from simkit.xml import Fault, FaultKind, Span
 
-_E01 = "URDF-E01"
 _REFUSED = "ROS refuses the file, and names no line or the wrong one."
 _ONLY_EXPAT = (
     "check_urdf and robot_state_publisher accept it; joint_state_publisher and spawn_model, which are written in Python, "
@@ -29,7 +28,8 @@ _OTHER_PLACE = {
 }
 
 
-def malformed(sheet: Sheet) -> Iterator[Diagnostic]:
+@rule("URDF-E01", "not well-formed XML", Severity.ERROR)
+def malformed(sheet: Sheet) -> Iterator[Find]:
     """The file is no well-formed XML.
 
     Nothing loads, and the line that is named is mostly not the one that is wrong: a parser notices a missing `</visual>` only
@@ -53,7 +53,7 @@ def malformed(sheet: Sheet) -> Iterator[Diagnostic]:
     faults = sheet.document.faults
     root = sheet.document.root
     if sheet.document.has_wide_letters:
-        yield _wide_letters(sheet)
+        yield _wide_letters()
     if root is not None and root.name.lower() == "html":
         return  # its faults are nobody's here
     is_loaded = bool(faults) and _is_accepted(sheet)
@@ -74,10 +74,8 @@ def _is_accepted(sheet: Sheet) -> bool:
     return is_other or any(root.name == "robot" for root in roots)
 
 
-def _wide_letters(sheet: Sheet) -> Diagnostic:
-    return sheet.find(
-        _E01,
-        Severity.ERROR,
+def _wide_letters() -> Find:
+    return Find(
         Span(1, 1),
         what="the file is saved as UTF-16, with two bytes for each letter",
         remedy="Save it as UTF-8: most editors ask for the encoding; in PowerShell, ... | Out-File -Encoding utf8 robot.urdf.",
@@ -86,17 +84,16 @@ def _wide_letters(sheet: Sheet) -> Diagnostic:
     )
 
 
-def _told(sheet: Sheet, fault: Fault, *, is_loaded: bool) -> Diagnostic:
+def _told(sheet: Sheet, fault: Fault, *, is_loaded: bool) -> Find:
     related = []
     if fault.other is not None and fault.other != fault.span:
         text = _OTHER_PLACE.get(fault.kind, "this belongs to it")
-        related.append(sheet.related(fault.other, text))
+        related.append((fault.other, text))
     if fault.kind is FaultKind.EMPTY:
-        return _empty(sheet, fault)
-    return sheet.find(
-        _E01,
-        Severity.NOTE if _is_blank_line(sheet, fault) else Severity.ERROR,
+        return _empty(fault)
+    return Find(
         fault.span,
+        severity=Severity.NOTE if _is_blank_line(sheet, fault) else Severity.ERROR,
         what=fault.what,
         remedy=_sentence(fault.remedy),
         here=_LOADED if is_loaded else _NOT_LOADED,
@@ -105,10 +102,8 @@ def _told(sheet: Sheet, fault: Fault, *, is_loaded: bool) -> Diagnostic:
     )
 
 
-def _empty(sheet: Sheet, fault: Fault) -> Diagnostic:
-    return sheet.find(
-        _E01,
-        Severity.ERROR,
+def _empty(fault: Fault) -> Find:
+    return Find(
         fault.span,
         what=fault.what,
         remedy=f"{_sentence(fault.remedy)[:-1]}: {_URDF}",
@@ -126,13 +121,3 @@ def _is_blank_line(sheet: Sheet, fault: Fault) -> bool:
 def _sentence(text: str) -> str:
     text = text[:1].upper() + text[1:]
     return text if text.endswith((".", "?", "!")) else f"{text}."
-
-
-RULES = (
-    Rule(
-        id=_E01,
-        title="not well-formed XML",
-        severity=Severity.ERROR,
-        look=malformed,
-    ),
-)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from simkit.record import Record
+from dataclasses import dataclass
+
 from simkit.urdf.frame import Frame
 from simkit.urdf.placed_shape import PlacedShape
 from simkit.urdf.rules.bodies import frame_of, shapes_of
@@ -10,7 +11,8 @@ from simkit.urdf.rules.entries import BodyEntry
 from simkit.urdf.rules.sheet import Sheet
 
 
-class Standing(Record, kw_only=False):
+@dataclass(frozen=True)
+class Standing:
     """Where a link stands."""
 
     root: str

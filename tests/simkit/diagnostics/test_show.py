@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -17,7 +18,6 @@ from simkit.diagnostics import (
     in_order,
     summary,
 )
-from simkit.record import replace
 from simkit.xml import Span
 
 FILE = "hello_ros/urdf/arm.urdf"

@@ -60,7 +60,7 @@ def test_a_rule_that_breaks_does_not_silence_the_others(monkeypatch):
     def broken(_sheet):
         raise ZeroDivisionError("oh")
 
-    rule = Rule(id="URDF-E99", title="x", severity=Severity.ERROR, look=broken)
+    rule = Rule("URDF-E99", "x", Severity.ERROR, "", look=broken)
     asked = check.rules_for
     monkeypatch.setattr(check, "rules_for", lambda sheet: (rule, *asked(sheet)))
     found = finds(robot('<link name="a"><visual/></link>'))

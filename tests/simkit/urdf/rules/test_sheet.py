@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from simkit.diagnostics import Severity
 from simkit.urdf.model import Box, Cylinder, Mesh, Sphere
 from simkit.urdf.rules.sheet import Sheet, read_sheet
-from simkit.xml import Span, parse_xml
+from simkit.xml import parse_xml
 
 
 def sheet(*parts: str) -> Sheet:
@@ -136,21 +135,3 @@ def test_without_a_robot_all_lists_are_empty(text):
     found = read_sheet(parse_xml(text, file="x"))
     assert found.robot is None
     assert (found.links, found.joints, found.materials, found.gazebo) == ((), (), (), ())
-
-
-def test_a_find_has_its_place_path_and_line():
-    found = sheet('<link name="a">', '  <visual name="v"/>', "</link>")
-    visual = found.links[0].visuals[0].element
-    name = visual.attribute("name")
-    assert name is not None
-    one = found.find(
-        "URDF-E99", Severity.NOTE, name, element=visual, what="w", remedy="r", related=()
-    )
-    assert (one.file, one.span, one.path) == (
-        "urdf/r.urdf",
-        Span(3, 17, 1),
-        "robot/link[a]/visual[v]",
-    )
-    assert one.source == '  <visual name="v"/>'
-    other = found.related(visual, "here")
-    assert (other.span, other.source) == (Span(3, 4, 6), '  <visual name="v"/>')

@@ -1,15 +1,26 @@
-"""What there is to know about each rule of world files, for `simkit check_urdf --explain`."""
+"""The rows of world files in the table of diagnostics: faults that are met while a world is read."""
 
 from __future__ import annotations
 
-from simkit.diagnostics import MetRule, Severity
+from simkit.diagnostics import Rule, Severity
 
-RULES = (
-    MetRule(
-        id="SDF-E01",
-        title="a world or model file that is not well-formed XML",
-        severity=Severity.ERROR,
-        text="""\
+SYNTAX = "SDF-E01"
+"""A file that is not XML."""
+UNUSABLE = "SDF-E02"
+"""Something without which there is no world."""
+NO_MASS = "SDF-I03"
+"""A link without a mass."""
+UNSUPPORTED = "SDF-W04"
+"""An element that is not read."""
+NUMBER = "SDF-W05"
+"""A number that cannot be read."""
+
+ROWS = (
+    Rule(
+        SYNTAX,
+        "a world or model file that is not well-formed XML",
+        Severity.ERROR,
+        """\
     A world file, or a model that it includes, is not XML.
 
     Symptom: Gazebo prints `Error [parser.cc]` and opens an empty world, or none.
@@ -25,11 +36,11 @@ RULES = (
         </include>
     """,
     ),
-    MetRule(
-        id="SDF-E02",
-        title="a world or model file that cannot be used",
-        severity=Severity.ERROR,
-        text="""\
+    Rule(
+        UNUSABLE,
+        "a world or model file that cannot be used",
+        Severity.ERROR,
+        """\
     Something is wrong in a world or model file without which there is no world.
 
     Symptom: The world does not begin, and the message names the place.
@@ -48,11 +59,11 @@ RULES = (
         </sdf>
     """,
     ),
-    MetRule(
-        id="SDF-I03",
-        title="a link of a world file without a mass",
-        severity=Severity.NOTE,
-        text="""\
+    Rule(
+        NO_MASS,
+        "a link of a world file without a mass",
+        Severity.NOTE,
+        """\
     A link of a model that can move says nothing of its mass.
 
     Symptom: A thing of the world is far too heavy or too light.
@@ -69,11 +80,11 @@ RULES = (
         </inertial>
     """,
     ),
-    MetRule(
-        id="SDF-W04",
-        title="an element of a world file that is not supported",
-        severity=Severity.WARNING,
-        text="""\
+    Rule(
+        UNSUPPORTED,
+        "an element of a world file that is not supported",
+        Severity.WARNING,
+        """\
     A world file has something that this kit does not read.
 
     Symptom: It is missing from the world, or has no effect; the rest works.
@@ -93,11 +104,11 @@ RULES = (
         </model>
     """,
     ),
-    MetRule(
-        id="SDF-W05",
-        title="a number in a world file that cannot be read",
-        severity=Severity.WARNING,
-        text="""\
+    Rule(
+        NUMBER,
+        "a number in a world file that cannot be read",
+        Severity.WARNING,
+        """\
     An element of a world file should hold numbers, and holds something else, too few, too many, or one beyond all use.
 
     Symptom: The default is used in its place.
@@ -113,4 +124,4 @@ RULES = (
     """,
     ),
 )
-"""The rules, in the order of their numbers."""
+"""The rows, in the order of their numbers."""
