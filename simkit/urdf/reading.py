@@ -9,14 +9,13 @@ from simkit.packages import PackagePath
 from simkit.record import Record
 from simkit.urdf.meshes import MeshFinder
 from simkit.urdf.model import Joint, Link, Material, Robot
-from simkit.urdf.places import Places
 from simkit.urdf.urdfdom.joints import read_joint
 from simkit.urdf.urdfdom.links import RawLink, read_link
 from simkit.urdf.urdfdom.log import Log
 from simkit.urdf.urdfdom.numbers import MalformedError, check_version
 from simkit.urdf.urdfdom.shapes import read_global_material
-from simkit.urdf.urdfdom.tinyxml import TinyElement, TinyXmlError, parse_tiny
 from simkit.urdf.urdfdom.tree import NoTreeError, find_loop, find_root
+from simkit.urdf.urdfdom.xml_verdict import XmlRefusedError, robot_element
 from simkit.xml import Document, Element, parse_xml
 
 
@@ -53,13 +52,12 @@ def read_robot(
         urdfdom 3.0. One thing is different: a loop below the root is refused, where urdfdom says
         nothing and check_urdf prints without end.
     """
-    data = text.encode("utf-8", "surrogatepass") if isinstance(text, str) else text
     document = parse_xml(text, file=file)
     log = Log()
     finder = MeshFinder(Path(file).parent if folder is None else folder, packages)
     robot, reason = None, ""
     try:
-        robot = _Reader(document, Places(document, data), log, finder).robot(data)
+        robot = _Reader(document, log, finder).robot()
     except _RefusedError as refusal:
         reason = refusal.reason
         log.error(refusal.last_words)
@@ -81,29 +79,25 @@ class _RefusedError(Exception):
 
 
 class _Reader:
-    def __init__(self, document: Document, places: Places, log: Log, finder: MeshFinder) -> None:
+    def __init__(self, document: Document, log: Log, finder: MeshFinder) -> None:
         self._document = document
-        self._places = places
         self._log = log
         self._finder = finder
         self._materials: dict[str, Material] = {}
 
-    def robot(self, data: bytes) -> Robot:
+    def robot(self) -> Robot:
         """The robot, or a refusal with urdfdom's words."""
         try:
-            # check_urdf ends each line with a newline, the last one too.
-            roots = parse_tiny(data + b"\n")
-            robot = next((root for root in roots if root.name == "robot"), None)
-            if robot is None:
-                raise _RefusedError("Could not find the 'robot' element in the xml file")
-            if robot.get("name") is None:
+            robot = robot_element(self._document)
+            name = robot.written("name")
+            if name is None:
                 raise _RefusedError("No name given for the robot.")
-            check_version(robot.get("version"))
-            return self._checked_tree(robot)
-        except (TinyXmlError, MalformedError, NoTreeError) as refusal:
+            check_version(robot.written("version"))
+            return self._checked_tree(robot, name)
+        except (XmlRefusedError, MalformedError, NoTreeError) as refusal:
             raise _RefusedError(str(refusal)) from None
 
-    def _checked_tree(self, robot: TinyElement) -> Robot:
+    def _checked_tree(self, robot: Element, name: str) -> Robot:
         self._read_materials(robot)
         links = self._read_links(robot)
         joints = self._read_joints(robot)
@@ -114,7 +108,7 @@ class _Reader:
                 f"The links hang on each other in a circle: {' -> '.join(loop)} (parent -> child)"
             )
         return Robot(
-            name=robot.attributes["name"],
+            name=name,
             links=links,
             joints=joints,
             materials=self._materials,
@@ -122,20 +116,20 @@ class _Reader:
             document=self._document,
         )
 
-    def _read_materials(self, robot: TinyElement) -> None:
+    def _read_materials(self, robot: Element) -> None:
         for element in robot.all("material"):
             material = read_global_material(element, self._log)
             if material.name in self._materials:
                 raise _RefusedError(f"material '{material.name}' is not unique.")
             self._materials[material.name] = material
 
-    def _read_links(self, robot: TinyElement) -> Mapping[str, Link]:
+    def _read_links(self, robot: Element) -> Mapping[str, Link]:
         links: dict[str, Link] = {}
         for element in robot.all("link"):
             raw = read_link(element, self._log, self._finder.find)
             if raw.name in links:
                 raise _RefusedError(f"link '{raw.name}' is not unique.")
-            links[raw.name] = self._link(raw, self._places.element(element))
+            links[raw.name] = self._link(raw, element)
         if not links:
             raise _RefusedError("No link elements found in urdf file")
         return links
@@ -168,11 +162,11 @@ class _Reader:
             self._materials[name] = visual.material
         return self._materials[name]
 
-    def _read_joints(self, robot: TinyElement) -> Mapping[str, Joint]:
+    def _read_joints(self, robot: Element) -> Mapping[str, Joint]:
         joints: dict[str, Joint] = {}
         for element in robot.all("joint"):
             before = len(self._log.lines)
-            joint = read_joint(element, self._log, self._places.element(element))
+            joint = read_joint(element, self._log)
             if joint is None:
                 first = self._log.lines[before].partition(":")[2].strip()
                 raise _RefusedError("joint xml is not initialized correctly", first)

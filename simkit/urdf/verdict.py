@@ -18,7 +18,8 @@ def check_urdf_text(reading: Reading) -> tuple[str, str, int]:
     The output is the original's, byte for byte. The lines of the standard error are the original's
     without those that say where in urdfdom's own source it was ("at line N in ...").
 
-    Different are: names that are no UTF-8, which are shown with escapes; a circle below the root,
+    Different are: a text that is no well-formed XML and is refused, of which we say what is wrong and where; a stray `&`,
+    which stays; names that are no UTF-8, which are shown with U+FFFD; a circle below the root,
     which is refused, and a tree of more than some million letters, which is cut off, where the
     original prints for very long and may crash; complaints of more than 1023 letters, which it cuts.
 

@@ -35,6 +35,8 @@ class Unquoted(Record):
     """The value that is meant."""
     what: str
     """What is wrong with it; follows on `the value of x`."""
+    is_bare: bool
+    """Whether nothing is wrong with it but that it stands in no quotation marks."""
 
 
 def missing_quote(text: str, start: int, end: int) -> MissingQuote | None:
@@ -76,7 +78,8 @@ def unquoted_value(text: str, start: int) -> Unquoted | None:
     else:
         what = "does not stand in quotation marks"
     first = start + raw.index(value[0]) if raw[0] in QUOTES else start
-    return Unquoted(start=first, end=end, value=value, what=what)
+    is_bare = raw == value and not any(letter in WHITE for letter in value)
+    return Unquoted(start=first, end=end, value=value, what=what, is_bare=is_bare)
 
 
 def junk_end(text: str, start: int) -> int:

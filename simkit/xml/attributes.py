@@ -16,7 +16,7 @@ from simkit.xml.attribute_faults import (
 from simkit.xml.document import Attribute, FaultKind, Span
 from simkit.xml.letters import NAME, SPACE, WHITE, short
 from simkit.xml.pattern import Pattern
-from simkit.xml.references import replace_references
+from simkit.xml.references import TO_SPACE, replace_in_value
 from simkit.xml.source import Source
 
 _GOOD = Pattern(rf"{SPACE}++({NAME}){SPACE}*+={SPACE}*+(?:\"([^<&\"]*+)\"|'([^<&']*+)')")
@@ -24,7 +24,6 @@ _SPACES = Pattern(f"{SPACE}*+")
 _NAME = Pattern(NAME)
 _EQUALS = Pattern(rf"{SPACE}*+(=[={WHITE}]*+)?")
 _QUOTED = Pattern(r"[\"']([^\"'\n<>]*+)")
-_TO_SPACE = str.maketrans("\t\n", "  ")
 
 
 class _Place(NamedTuple):
@@ -68,13 +67,18 @@ class AttributeList:
         return found.end() if found else self.at
 
     def fault(
-        self, start: int, end: int, *, what: str, remedy: str, other: Span | None = None
+        self,
+        start: int,
+        end: int,
+        *,
+        what: str,
+        remedy: str,
+        other: Span | None = None,
+        kind: FaultKind = FaultKind.MALFORMED_TAG,
     ) -> None:
         """Note that the tag is malformed, unless that follows from a fault right before."""
         if not self._is_quiet:
-            self._source.fault(
-                FaultKind.MALFORMED_TAG, start, end, what=what, remedy=remedy, other=other
-            )
+            self._source.fault(kind, start, end, what=what, remedy=remedy, other=other)
         self._is_quiet = True
 
     def read_good_ones(self) -> None:
@@ -85,10 +89,7 @@ class AttributeList:
             name, value, other = found.groups()
             which = 2 if other is None else 3
             self._last = _Place(name, found.start(1), *found.span(which))
-            value = value if other is None else other
-            if "\n" in value or "\t" in value:
-                value = value.translate(_TO_SPACE)
-            self._keep(self._last, value)
+            self._keep(self._last, value if other is None else other)
             self.at = found.end()
             self._is_quiet = False
 
@@ -137,6 +138,7 @@ class AttributeList:
                 *name.span(),
                 what=f"there is no space before {short(name[0])}",
                 remedy=f"Write a space before {short(name[0])}.",
+                kind=FaultKind.LOOSE_ATTRIBUTE,
             )
         equals = _EQUALS.match(text, name.end())
         sign = (equals[1] if equals else None) or ""
@@ -182,7 +184,7 @@ class AttributeList:
                 what=f"< cannot stand in the value of {short(name[0])}",
                 remedy="Write &lt; instead.",
             )
-        self._keep(place, replace_references(source, at + 1, end, plain=_TO_SPACE))
+        self._keep(place, *replace_in_value(source, at + 1, end))
         self.at = end + 1
 
     def _cut(self, place: _Place, cut: MissingQuote) -> None:
@@ -214,15 +216,19 @@ class AttributeList:
             found.end,
             what=f"the value of {short(name[0])} {found.what}",
             remedy=f'Write {short(name[0])}="{short(found.value)}"',
+            kind=FaultKind.LOOSE_ATTRIBUTE if found.is_bare else FaultKind.MALFORMED_TAG,
         )
         end = found.start + len(found.value)
         self._keep(_Place(name[0], name.start(), found.start, end), found.value)
         self._last = None
         self.at = found.end
 
-    def _keep(self, place: _Place, value: str) -> None:
+    def _keep(self, place: _Place, written: str, normalised: str | None = None) -> None:
         """Keep an attribute; of several of one name the first."""
         source, name = self._source, place.name
+        value = written if normalised is None else normalised
+        if normalised is None and ("\n" in written or "\t" in written):
+            value = written.translate(TO_SPACE)
         name_span = source.span(place.name_at, place.name_at + len(name))
         first = self.found.get(name)
         if first is None or first.name_span == name_span:
@@ -231,6 +237,7 @@ class AttributeList:
                 value=value,
                 name_span=name_span,
                 value_span=source.span(place.start, place.end),
+                written=written,
             )
             return
         source.fault_at(

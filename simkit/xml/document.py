@@ -41,8 +41,14 @@ class FaultKind(enum.Enum):
     """The same attribute twice in one tag; the first one is kept."""
     MALFORMED_TAG = "malformed tag"
     """A tag that is no tag: a missing `>`, `=`, quotation mark or name."""
+    LOOSE_ATTRIBUTE = "loose attribute"
+    """A value without quotation marks, or no space between two attributes; lenient parsers read it all the same."""
+    MARKUP = "bad markup"
+    """Something between `<` and `>` that is no tag, or a declaration in the wrong place."""
     BAD_CHARACTER = "bad character"
     """A letter that cannot stand there: `<` or `&` in a value, a control character, `--` in a comment."""
+    BAD_REFERENCE = "bad reference"
+    """`&#` that begins no number of a letter."""
     ENTITY = "entity"
     """An entity that is not one of the five of XML, or a document type with definitions of its own."""
     CONFLICT = "conflict marker"
@@ -83,6 +89,8 @@ class Attribute(NamedTuple):
     """Where its name stands."""
     value_span: Span
     """Where its value stands, without the quotation marks; of one over several lines the first one."""
+    written: str
+    """Its value with its tabs and newlines, entities replaced: what parsers see that do not normalise it."""
 
 
 class Element:
@@ -128,12 +136,24 @@ class Element:
 
     def get(self, name: str, default: str | None = None) -> str | None:
         """The value of the attribute of that name."""
-        found = self.attribute(name)
-        return default if found is None else found.value
+        for one in self.attributes:
+            if one.name == name:
+                return one.value
+        return default
+
+    def written(self, name: str) -> str | None:
+        """The value of the attribute of that name, its tabs and newlines kept; None if there is none."""
+        for one in self.attributes:
+            if one.name == name:
+                return one.written
+        return None
 
     def child(self, name: str) -> Element | None:
         """The first element of that name in it."""
-        return next((one for one in self.children if one.name == name), None)
+        for one in self.children:
+            if one.name == name:
+                return one
+        return None
 
     def all(self, name: str) -> list[Element]:
         """All elements of that name directly in it."""
@@ -183,12 +203,19 @@ class Document(Record):
     """The text, newlines as `\\n`."""
     lines: tuple[str, ...]
     """The same in lines, without the newlines."""
-    root: Element | None
-    """The first element outside of all others; None if there is none."""
+    roots: tuple[Element, ...]
+    """The elements outside of all others: one, if the text is well-formed."""
+    root_end: Span | None
+    """Where the end tag of the first of them stands; None if it is not closed."""
     faults: tuple[Fault, ...]
     """What is wrong with it as XML, in the order of the text."""
     has_wide_letters: bool = False
     """Whether it was read from UTF-16, which is XML, but which TinyXML (and so ROS) does not read."""
+
+    @property
+    def root(self) -> Element | None:
+        """The first element outside of all others; None if there is none."""
+        return self.roots[0] if self.roots else None
 
     @property
     def is_well_formed(self) -> bool:

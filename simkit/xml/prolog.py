@@ -33,20 +33,20 @@ def read_declaration(source: Source, at: int) -> int:
     end = source.find("?>", at)
     line_end = source.find("\n", at)
     has_end = end >= 0 and (line_end < 0 or end < line_end)
+    behind = end + 2 if has_end else end_of_line_or_bracket(source, at)
     if at > 0 and source.text.startswith("<?", at):
         _misplaced(source, at)
     elif found is None:
         what = "the XML declaration is malformed"
+        is_ended = source.text.startswith("<?", at) and source.text[behind - 1] == ">"
         source.fault(
-            FaultKind.MALFORMED_TAG,
+            FaultKind.MARKUP if is_ended else FaultKind.MALFORMED_TAG,
             at,
             at + 5,
             what=what if has_end else "the XML declaration has no ?> at its end",
             remedy='Write <?xml version="1.0"?> or <?xml version="1.0" encoding="UTF-8"?>',
         )
-    if found is not None:
-        return found.end()
-    return end + 2 if has_end else end_of_line_or_bracket(source, at)
+    return behind if found is None else found.end()
 
 
 def _misplaced(source: Source, at: int) -> None:
@@ -78,7 +78,7 @@ def read_doctype(source: Source, at: int) -> int:
     found = _DOCTYPE.match(source.text, at)
     if found is None:
         source.fault(
-            FaultKind.MALFORMED_TAG,
+            FaultKind.MARKUP,
             at,
             at + 2,
             what="this is neither a comment nor a document type that can be read",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator
 
 from simkit.xml.document import FaultKind
 from simkit.xml.letters import NAME, is_foreign, short
@@ -15,29 +15,33 @@ ENTITIES = {"lt": "<", "gt": ">", "amp": "&", "apos": "'", "quot": '"'}
 _REFERENCE = Pattern(rf"&(?:#([0-9]++);|#x([0-9a-fA-F]++);|({NAME});)?")
 _BARE = Pattern(rf"&(#?)({NAME}|[0-9]++|)")
 _DIGITS = 8
+TO_SPACE = str.maketrans("\t\n", "  ")
+"""For `str.translate`: the white space of a value as XML normalises it."""
 
 
-def replace_references(
-    source: Source, start: int, end: int, *, plain: Mapping[int, int] | None = None
-) -> str:
-    """The text from `start` to `end` with its references replaced; faulty ones stay as they are, and are noted.
+def replace_references(source: Source, start: int, end: int) -> str:
+    """The text from `start` to `end` with its references replaced; faulty ones stay as they are, and are noted."""
+    return "".join(_pieces(source, start, end))
 
-    Args:
-        source: The text.
-        start: Index of the first letter.
-        end: Index behind the last one.
-        plain: Letters to replace in what is no reference, as `str.translate` takes them.
-    """
-    text, table = source.text, plain or {}
-    pieces = []
+
+def replace_in_value(source: Source, start: int, end: int) -> tuple[str, str]:
+    """The same of an attribute's value, as it is written and normalised: tabs and newlines as spaces, but not references."""
+    pieces = list(_pieces(source, start, end))
+    normalised = [*pieces]
+    normalised[::2] = [one.translate(TO_SPACE) for one in pieces[::2]]
+    return "".join(pieces), "".join(normalised)
+
+
+def _pieces(source: Source, start: int, end: int) -> Iterator[str]:
+    """In turn a text without a reference, and the meaning of one."""
+    text = source.text
     for found in _REFERENCE.finditer(text, start, end) if text.find("&", start, end) >= 0 else ():
-        pieces.append(text[start : found.start()].translate(table))
-        pieces.append(_meaning(source, found))
+        yield text[start : found.start()]
+        yield _meaning(source, found)
         start = found.end()
         if source.is_full:
             break
-    pieces.append(text[start:end].translate(table))
-    return "".join(pieces)
+    yield text[start:end]
 
 
 def _meaning(source: Source, found: re.Match[str]) -> str:
@@ -103,6 +107,6 @@ def _bare(source: Source, at: int) -> None:
             "Write &amp; for the sign &.",
         )
         is_number = name = ""
-    source.fault(
-        FaultKind.BAD_CHARACTER, at, at + 1 + len(is_number + name), what=what, remedy=remedy
-    )
+    is_number_sign = source.text.startswith("&#", at)
+    kind = FaultKind.BAD_REFERENCE if is_number_sign else FaultKind.BAD_CHARACTER
+    source.fault(kind, at, at + 1 + len(is_number + name), what=what, remedy=remedy)

@@ -145,7 +145,7 @@ class _Scanner:
 
     def _late_doctype(self, at: int) -> None:
         self._source.fault(
-            FaultKind.MALFORMED_TAG,
+            FaultKind.MARKUP,
             at,
             at + len("<!DOCTYPE"),
             what="a document type can stand only once, and only before the first element",
@@ -175,14 +175,15 @@ class _Scanner:
         if nameless is not None:
             self._at = nameless.end()
             remedy = "Write the name of the element behind <, or delete the tag."
-            self._fault(at, self._at, what="this tag has no name", remedy=remedy)
+            what = "this tag has no name"
+            source.fault(FaultKind.MARKUP, at, self._at, what=what, remedy=remedy)
             return
         what = "< begins a tag, but no name follows"
         following = text[at + 1 : at + 2]
         if following.strip(WHITE):
             what = f"< begins a tag, but {spoken(following)} follows, and no name"
         source.fault(
-            FaultKind.BAD_CHARACTER,
+            FaultKind.MALFORMED_TAG,
             at,
             at + 1,
             what=what,

@@ -83,7 +83,7 @@ def read_instruction(source: Source, at: int) -> int:
     end = source.find("?>", at + 2)
     if name is None or name[1].lower() == "xml":
         source.fault(
-            FaultKind.MALFORMED_TAG,
+            FaultKind.MARKUP,
             at,
             at + 2,
             what="<? begins a processing instruction, but no name that it can have follows",

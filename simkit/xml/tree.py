@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from typing import NamedTuple
 
-from simkit.xml.document import Element, FaultKind
+from simkit.xml.document import Element, FaultKind, Span
 from simkit.xml.end_tags import EndTagJudge
 from simkit.xml.letters import WHITE, short
 from simkit.xml.open_elements import OpenElement, OpenElements
@@ -19,22 +20,37 @@ MAX_DEPTH = 256
 _TAG = re.compile(r"<[A-Za-z_!?/\\]|<\s+\w[^<>]*>")
 
 
-def build_tree(source: Source, tokens: Sequence[Token]) -> Element | None:
-    """The root element of the tree that the tokens make; None if there is none."""
+class Tree(NamedTuple):
+    """The elements of a text."""
+
+    roots: tuple[Element, ...]
+    """Those that stand outside of all others."""
+    root_end: Span | None
+    """The end tag of the first of them; None if it is not closed."""
+
+
+def build_tree(source: Source, tokens: Sequence[Token]) -> Tree:
+    """The tree that the tokens make."""
     builder = _Builder(source, tokens)
     builder.build(tokens)
-    return builder.root
+    return Tree(roots=tuple(builder.roots), root_end=builder.root_end)
 
 
 class _Builder:
     def __init__(self, source: Source, tokens: Sequence[Token]) -> None:
-        self.root: Element | None = None
+        self.roots: list[Element] = []
+        self.root_end: Span | None = None
         self._source = source
         self._open = OpenElements()
         self._outlook = Outlook(tokens)
         self._judge = EndTagJudge(source, self._outlook, self._open)
         self._skipped: EndTag | None = None
         self._said: set[tuple[FaultKind, bool]] = set()
+
+    @property
+    def root(self) -> Element | None:
+        """The first element outside of all others, so far."""
+        return self.roots[0] if self.roots else None
 
     def build(self, tokens: Sequence[Token]) -> None:
         for number, token in enumerate(tokens):
@@ -68,6 +84,7 @@ class _Builder:
             element = self._element(tag, None if parent is None else parent.element)
         if tag.is_closed:
             self._judge.note_closed(tag)
+            self._note_root_end(tag)
         else:
             self._open.push(OpenElement(tag, element))
 
@@ -80,8 +97,8 @@ class _Builder:
         )
         if parent is not None:
             parent.children.append(element)
-        elif self.root is None:
-            self.root = element
+        else:
+            self.roots.append(element)
         return element
 
     def _text(self, text: Text) -> None:
@@ -129,6 +146,12 @@ class _Builder:
         for _ in range(min(right, verdict.closes)):
             self._open.pop()
             self._judge.note_closed(tag)
+        self._note_root_end(tag)
+
+    def _note_root_end(self, tag: StartTag | EndTag) -> None:
+        """Note where the root ends, if it ended just now."""
+        if self.root_end is None and not len(self._open) and self.roots:
+            self.root_end = self._source.span(tag.at, tag.end)
 
     def _once(self, kind: FaultKind, start: int, end: int, what: str, remedy: str) -> None:
         """Note a fault that needs to be said once; once before the root, and once behind it."""

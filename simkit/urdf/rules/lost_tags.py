@@ -67,7 +67,9 @@ def _put_gazebo_back(root: Element, fault: Fault) -> None:
     link = next((link.get("name") for link in root.all("link")), None)
     is_of_robot = link is None or any(child.name == "plugin" for child in loose)
     span = fault.span
-    of_link = Attribute(name="reference", value=link or "", name_span=span, value_span=span)
+    of_link = Attribute(
+        name="reference", value=link or "", name_span=span, value_span=span, written=""
+    )
     if loose:
         _wrap(loose, "gazebo", () if is_of_robot else (of_link,))
 
@@ -122,7 +124,7 @@ def _attributes(root: Element, word: str, span: Span, kind: str) -> Iterator[Att
     values = {"name": name or f"{word}_of_line_{span.line}", "type": kind}
     for attribute in WORDS[word].required:
         value = values.get(attribute, "")
-        yield Attribute(name=attribute, value=value, name_span=span, value_span=span)
+        yield Attribute(name=attribute, value=value, name_span=span, value_span=span, written="")
 
 
 def _wanted_links(root: Element) -> Iterator[str]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.urdfdom.tinyxml import TinyXmlError, parse_tiny
+from simkit.urdf.urdfdom.xml_verdict import NO_ROBOT, XmlRefusedError, robot_element
 from simkit.xml import Fault, FaultKind, Span
 
 _REFUSED = "ROS refuses the file, and names no line or the wrong one."
@@ -62,16 +62,14 @@ def malformed(sheet: Sheet) -> Iterator[Find]:
 
 
 def _is_accepted(sheet: Sheet) -> bool:
-    """Whether TinyXML, which ROS reads URDFs with, puts up with the faults, and finds the robot behind them."""
-    if sheet.document.has_wide_letters:
-        return False
+    """Whether ROS reads the file in spite of its faults, and finds the robot."""
     try:
-        roots = parse_tiny(sheet.document.text.encode("utf-8", "surrogatepass"))
-    except TinyXmlError:
-        return False
-    own = sheet.document.root
-    is_other = own is not None and own.name != "robot"  # which another rule tells of
-    return is_other or any(root.name == "robot" for root in roots)
+        robot_element(sheet.document)
+    except XmlRefusedError as refusal:
+        own = sheet.document.root
+        is_other = own is not None and own.name != "robot"  # which another rule tells of
+        return is_other and str(refusal) == NO_ROBOT
+    return True
 
 
 def _wide_letters() -> Find:

@@ -8,7 +8,6 @@ from contextlib import contextmanager
 from simkit.urdf.model import Joint, JointType, Limit, Mimic, Pose, Safety, Vector
 from simkit.urdf.urdfdom.log import Log
 from simkit.urdf.urdfdom.numbers import MalformedError, number_of, origin_of, to_vector
-from simkit.urdf.urdfdom.tinyxml import TinyElement
 from simkit.xml import Element
 
 _TYPES = {type_.value: type_ for type_ in JointType}
@@ -20,20 +19,19 @@ _NEEDS_LIMIT = {
 _NO_NUMBER = "{0} value ({{}}) is not a valid float"
 
 
-def read_joint(element: TinyElement, log: Log, place: Element) -> Joint | None:
+def read_joint(element: Element, log: Log) -> Joint | None:
     """A joint; None, with urdfdom's complaints, if it has a fault.
 
     Args:
-        element: What TinyXML has read.
+        element: Its element.
         log: Takes the complaints.
-        place: The same element, where the model can show it.
     """
-    name = element.get("name")
+    name = element.written("name")
     if name is None:
         log.error("unnamed joint found")
         return None
     try:
-        return _Reader(element, log, name).joint(place)
+        return _Reader(element, log, name).joint()
     except MalformedError as fault:
         log.error(str(fault))
         return None
@@ -42,12 +40,12 @@ def read_joint(element: TinyElement, log: Log, place: Element) -> Joint | None:
 class _Reader:
     """Reads one joint; urdfdom's order of parts decides which of two faults is named."""
 
-    def __init__(self, element: TinyElement, log: Log, name: str) -> None:
+    def __init__(self, element: Element, log: Log, name: str) -> None:
         self._element = element
         self._log = log
         self._name = name
 
-    def joint(self, place: Element) -> Joint:
+    def joint(self) -> Joint:
         """The joint."""
         origin = self._origin()
         type_ = self._type()
@@ -69,19 +67,19 @@ class _Reader:
             friction=friction,
             mimic=mimic,
             safety=safety,
-            element=place,
+            element=self._element,
         )
 
     def _link(self, role: str) -> str:
         holder = self._element.child(role)
-        return "" if holder is None else holder.get("link") or ""
+        return "" if holder is None else holder.written("link") or ""
 
     def _origin(self) -> Pose:
         with self._part(f"Malformed parent origin element for joint [{self._name}]"):
             return origin_of(self._element)
 
     def _type(self) -> JointType:
-        written = self._element.get("type")
+        written = self._element.written("type")
         if written is None:
             raise MalformedError(
                 f"joint [{self._name}] has no type, check to see if it's a reference."
@@ -95,7 +93,7 @@ class _Reader:
         axis = self._element.child("axis")
         if axis is None or type_ in _WITHOUT_AXIS:
             return (1.0, 0.0, 0.0)
-        xyz = axis.get("xyz")
+        xyz = axis.written("xyz")
         if xyz is None:
             return (0.0, 0.0, 0.0)
         try:
@@ -144,7 +142,7 @@ class _Reader:
         if mimic is None:
             return None
         with self._part(f"Could not parse mimic element for joint  [{self._name}]"):
-            master = mimic.get("joint")
+            master = mimic.written("joint")
             if master is None:
                 raise MalformedError("joint mimic: no mimic joint specified")
             multiplier = _number(mimic, "multiplier", 1.0)
@@ -157,7 +155,7 @@ class _Reader:
         with self._part(f"Could not parse joint_dynamics element for joint [{self._name}]"):
             damping = _number(dynamics, "damping", 0.0)
             friction = _number(dynamics, "friction", 0.0)
-            if dynamics.get("damping") is None and dynamics.get("friction") is None:
+            if dynamics.written("damping") is None and dynamics.written("friction") is None:
                 raise MalformedError(
                     "joint dynamics element specified with no damping and no friction"
                 )
@@ -173,13 +171,13 @@ class _Reader:
             raise MalformedError(complaint) from None
 
 
-def _number(element: TinyElement, name: str, default: float) -> float:
-    if element.get(name) is None:
+def _number(element: Element, name: str, default: float) -> float:
+    if element.written(name) is None:
         return default
     return number_of(element, name, _NO_NUMBER.format(name))
 
 
-def _needed(element: TinyElement, name: str, complaint: str) -> float:
-    if element.get(name) is None:
+def _needed(element: Element, name: str, complaint: str) -> float:
+    if element.written(name) is None:
         raise MalformedError(complaint)
     return number_of(element, name, _NO_NUMBER.format(name))

@@ -7,7 +7,7 @@ from simkit.urdf.model import Collision, Geometry, Inertial, Material, Pose, Vis
 from simkit.urdf.urdfdom.log import Log
 from simkit.urdf.urdfdom.numbers import MalformedError, number_of, origin_of
 from simkit.urdf.urdfdom.shapes import FindMesh, is_defined, read_geometry, read_material
-from simkit.urdf.urdfdom.tinyxml import TinyElement
+from simkit.xml import Element
 
 _TENSOR = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
@@ -50,9 +50,9 @@ class RawLink:
         """Its collisions up to the first fault."""
 
 
-def read_link(element: TinyElement, log: Log, find_mesh: FindMesh) -> RawLink:
+def read_link(element: Element, log: Log, find_mesh: FindMesh) -> RawLink:
     """A link, as far as it can be read."""
-    name = element.get("name")
+    name = element.written("name")
     if name is None:
         log.error("No name given for the link.")
         return RawLink()
@@ -75,7 +75,7 @@ def read_link(element: TinyElement, log: Log, find_mesh: FindMesh) -> RawLink:
     return link
 
 
-def _read_inertial(element: TinyElement, link: RawLink) -> None:
+def _read_inertial(element: Element, link: RawLink) -> None:
     """Give the link its inertial, bit by bit: what comes before a fault stays."""
     link.inertial = Inertial(mass=0.0)
     origin = origin_of(element)
@@ -83,7 +83,7 @@ def _read_inertial(element: TinyElement, link: RawLink) -> None:
     mass = element.child("mass")
     if mass is None:
         raise MalformedError("Inertial element must have a mass element")
-    if mass.get("value") is None:
+    if mass.written("value") is None:
         raise MalformedError("Inertial: mass element must have value attribute")
     value = number_of(mass, "value", "Inertial: mass [{}] is not a float")
     link.inertial = Inertial(mass=value, origin=origin)
@@ -93,24 +93,24 @@ def _read_inertial(element: TinyElement, link: RawLink) -> None:
     link.inertial = Inertial(mass=value, origin=origin, **_read_tensor(tensor))
 
 
-def _read_tensor(element: TinyElement) -> dict[str, float]:
+def _read_tensor(element: Element) -> dict[str, float]:
     found = {}
     for name in _TENSOR:
-        if element.get(name) is None:
+        if element.written(name) is None:
             raise MalformedError(f"Inertial: inertia element missing {name} attribute")
         complaint = f"Inertial: inertia element {name} is not a valid double"
         found[name] = number_of(element, name, complaint)
     return found
 
 
-def _read_visual(element: TinyElement, log: Log, find_mesh: FindMesh) -> RawVisual:
+def _read_visual(element: Element, log: Log, find_mesh: FindMesh) -> RawVisual:
     origin = origin_of(element)
     geometry = read_geometry(element, find_mesh)
-    name = element.get("name") or ""
+    name = element.written("name") or ""
     inner = element.child("material")
     if inner is None:
         return RawVisual(geometry=geometry, origin=origin, name=name)
-    if inner.get("name") is None:
+    if inner.written("name") is None:
         raise MalformedError("Visual material must contain a name attribute")
     material = read_material(inner, log)
     return RawVisual(
@@ -122,7 +122,7 @@ def _read_visual(element: TinyElement, log: Log, find_mesh: FindMesh) -> RawVisu
     )
 
 
-def _read_collision(element: TinyElement, find_mesh: FindMesh) -> Collision:
+def _read_collision(element: Element, find_mesh: FindMesh) -> Collision:
     origin = origin_of(element)
     geometry = read_geometry(element, find_mesh)
-    return Collision(geometry=geometry, origin=origin, name=element.get("name") or "")
+    return Collision(geometry=geometry, origin=origin, name=element.written("name") or "")

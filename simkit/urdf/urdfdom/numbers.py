@@ -9,7 +9,7 @@ import math
 import re
 
 from simkit.urdf.model import Pose, Rgba, Vector
-from simkit.urdf.urdfdom.tinyxml import TinyElement
+from simkit.xml import Element
 
 _NUMBER = re.compile(r"[\t-\r ]*[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _INTEGER = r"(?s)[\t-\r ]*([+-]?[0-9]+)(.*)"
@@ -29,13 +29,13 @@ def to_double(text: str) -> float | None:
     return None if math.isinf(value) else value
 
 
-def number_of(element: TinyElement, name: str, complaint: str) -> float:
+def number_of(element: Element, name: str, complaint: str) -> float:
     """The number in an attribute that is there.
 
     Raises:
         MalformedError: It is no number; with `complaint`, where `{}` stands for the text.
     """
-    text = element.attributes[name]
+    text = element.written(name) or ""
     value = to_double(text)
     if value is None:
         raise MalformedError(complaint.replace("{}", text))
@@ -82,7 +82,7 @@ def to_colour(text: str) -> Rgba:
     return (values[0], values[1], values[2], values[3])
 
 
-def origin_of(element: TinyElement) -> Pose:
+def origin_of(element: Element) -> Pose:
     """The pose in the first `<origin>`; identity without one.
 
     Raises:
@@ -91,7 +91,7 @@ def origin_of(element: TinyElement) -> Pose:
     origin = element.child("origin")
     if origin is None:
         return Pose()
-    xyz, rpy = origin.get("xyz"), origin.get("rpy")
+    xyz, rpy = origin.written("xyz"), origin.written("rpy")
     here = Pose().xyz
     return Pose(here if xyz is None else to_vector(xyz), here if rpy is None else to_vector(rpy))
 

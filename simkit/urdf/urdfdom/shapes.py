@@ -9,7 +9,7 @@ from typing import TypeAlias
 from simkit.urdf.model import Box, Cylinder, Geometry, Material, Mesh, Sphere
 from simkit.urdf.urdfdom.log import Log
 from simkit.urdf.urdfdom.numbers import MalformedError, number_of, to_colour, to_vector
-from simkit.urdf.urdfdom.tinyxml import TinyElement
+from simkit.xml import Element
 
 FindMesh: TypeAlias = Callable[[str], tuple[Path | None, str]]
 """Finds the file of a mesh by its name in the URDF: the file, or None and the reason."""
@@ -18,7 +18,7 @@ BLACK = (0.0, 0.0, 0.0, 1.0)
 """The colour of a material of the robot whose own could not be read."""
 
 
-def read_geometry(holder: TinyElement, find_mesh: FindMesh) -> Geometry:
+def read_geometry(holder: Element, find_mesh: FindMesh) -> Geometry:
     """The shape in the first `<geometry>` of a visual or collision.
 
     Raises:
@@ -42,28 +42,28 @@ def read_geometry(holder: TinyElement, find_mesh: FindMesh) -> Geometry:
     raise MalformedError(f"Unknown geometry type '{shape.name}'")
 
 
-def _box(shape: TinyElement) -> Box:
-    size = shape.get("size")
+def _box(shape: Element) -> Box:
+    size = shape.written("size")
     if size is None:
         raise MalformedError("Box shape has no size attribute")
     return Box(to_vector(size))
 
 
-def _cylinder(shape: TinyElement) -> Cylinder:
-    if shape.get("length") is None or shape.get("radius") is None:
+def _cylinder(shape: Element) -> Cylinder:
+    if shape.written("length") is None or shape.written("radius") is None:
         raise MalformedError("Cylinder shape must have both length and radius attributes")
     length = number_of(shape, "length", "length [{}] is not a valid float")
     return Cylinder(number_of(shape, "radius", "radius [{}] is not a valid float"), length)
 
 
-def _sphere(shape: TinyElement) -> Sphere:
-    if shape.get("radius") is None:
+def _sphere(shape: Element) -> Sphere:
+    if shape.written("radius") is None:
         raise MalformedError("Sphere shape must have a radius attribute")
     return Sphere(number_of(shape, "radius", "radius [{}] is not a valid float"))
 
 
-def _mesh(shape: TinyElement, find_mesh: FindMesh) -> Mesh:
-    filename, scale = shape.get("filename"), shape.get("scale")
+def _mesh(shape: Element, find_mesh: FindMesh) -> Mesh:
+    filename, scale = shape.written("filename"), shape.written("scale")
     if filename is None:
         raise MalformedError("Mesh must contain a filename attribute")
     try:
@@ -76,15 +76,15 @@ def _mesh(shape: TinyElement, find_mesh: FindMesh) -> Mesh:
     return Mesh(filename, factors, path, problem)
 
 
-def read_material(element: TinyElement, log: Log) -> Material:
+def read_material(element: Element, log: Log) -> Material:
     """A material; without colour and picture if it has none that can be read."""
-    name = element.get("name")
+    name = element.written("name")
     if name is None:
         log.error("Material must contain a name attribute")
         return Material("")
     texture, colour = element.child("texture"), element.child("color")
-    filename = None if texture is None else texture.get("filename")
-    rgba = None if colour is None else colour.get("rgba")
+    filename = None if texture is None else texture.written("filename")
+    rgba = None if colour is None else colour.written("rgba")
     if rgba is None:
         return Material(name, None, filename)
     try:
@@ -99,10 +99,10 @@ def is_defined(material: Material) -> bool:
     return material.rgba is not None or material.texture is not None
 
 
-def read_global_material(element: TinyElement, log: Log) -> Material:
+def read_global_material(element: Element, log: Log) -> Material:
     """A material of the robot; urdfdom keeps it as black, with a complaint, if it says nothing."""
     material = read_material(element, log)
-    if is_defined(material) or element.get("name") is None:
+    if is_defined(material) or element.written("name") is None:
         return material
     log.error(f"Material [{material.name}] color has no rgba")
     log.error(f"Material [{material.name}] not defined in file")

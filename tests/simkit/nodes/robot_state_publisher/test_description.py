@@ -30,7 +30,7 @@ def test_a_robot_that_is_refused_is_told_with_its_place(stage):
     stage.load(stage.arm.replace('<link name="hand"/>', '<link name="hand">'))
     node = stage.start()
     assert (node.alive, node.exit_code) == (False, 1)
-    assert "Error reading end tag" in node.output
+    assert "not well-formed XML: line 6, column 4" in node.output
     (error,) = stage.said("ERROR")
     assert error.startswith("robot_description:6:")
 
