@@ -42,6 +42,18 @@ class Source(Protocol):
         """A line of it, from 1."""
 
 
+@dataclass(frozen=True, kw_only=True)
+class Loss:
+    """What follows from a fault, and how bad that is."""
+
+    here: str
+    """What simkit does."""
+    gazebo: str
+    """What ROS and Gazebo do."""
+    severity: Severity
+    """An error if ROS refuses the file, or loses more than a colour."""
+
+
 @dataclass(frozen=True)
 class Find:
     """A place where a fault is, and the words for it."""
@@ -56,6 +68,10 @@ class Find:
     """What simkit does with it; empty: what the row says."""
     gazebo: str = field(default="", kw_only=True)
     """What ROS and Gazebo do with it; empty: what the row says."""
+    both: str = field(default="", kw_only=True)
+    """What simkit, ROS and Gazebo do with it, if they do the same."""
+    loss: Loss | None = field(default=None, kw_only=True)
+    """What follows from it, where that depends on the place; it comes before what the row says."""
     severity: Severity | None = field(default=None, kw_only=True)
     """How bad it is; None: as bad as the row says."""
     element: Element | None = field(default=None, kw_only=True)
@@ -89,6 +105,8 @@ class Rule:
     """What simkit does with it, where it is always the same."""
     gazebo: str = field(default="", kw_only=True)
     """What ROS and Gazebo do with it, where it is always the same."""
+    both: str = field(default="", kw_only=True)
+    """What simkit, ROS and Gazebo do with it, if they do the same."""
     look: Explorer | None = field(default=None, kw_only=True)
     """Who looks for it; None for a fault that is met while a file is used."""
 
@@ -108,14 +126,14 @@ class Rule:
         span, element = place(find.at), find.about
         return Diagnostic(
             rule=self.id,
-            severity=find.severity or self.severity,
+            severity=find.severity or (find.loss or self).severity,
             file=source.file,
             span=span,
             source=source.line(span.line),
             path="" if element is None else element.path,
             what=find.what,
-            here=find.here or self.here,
-            gazebo=find.gazebo or self.gazebo,
+            here=find.here or find.both or (find.loss or self).here or self.both,
+            gazebo=find.gazebo or find.both or (find.loss or self).gazebo or self.both,
             remedy=find.remedy or self.remedy,
             related=tuple(_related(one, source) for one in find.related),
         )
@@ -129,12 +147,33 @@ def rule(
     remedy: str = "",
     here: str = "",
     gazebo: str = "",
+    both: str = "",
 ) -> Callable[[Explorer], Rule]:
-    """A decorator that makes a row of the generator that looks for its fault; `name` is its id, the others as in `Rule`."""
+    """Make a row of the generator that looks for its fault: a decorator.
+
+    Args:
+        name: Its id.
+        title: The fault in a few words.
+        severity: The worst that it can report.
+        remedy: What would be right, where it is always the same; `here`, `gazebo` and `both` likewise.
+        here: What simkit does with it.
+        gazebo: What ROS and Gazebo do with it.
+        both: What simkit, ROS and Gazebo do, if they do the same.
+    """
 
     def row(look: Explorer) -> Rule:
         text = look.__doc__ or ""
-        return Rule(name, title, severity, text, remedy=remedy, here=here, gazebo=gazebo, look=look)
+        return Rule(
+            name,
+            title,
+            severity,
+            text,
+            remedy=remedy,
+            here=here,
+            gazebo=gazebo,
+            both=both,
+            look=look,
+        )
 
     return row
 

@@ -64,8 +64,7 @@ def _missing(joint: JointEntry) -> Find:
         severity=Severity.WARNING,
         what=f"{called(joint.element)} has no <axis>, so it {does} x, the default",
         remedy='Say which axis is meant: <axis xyz="0 0 1"/> for z, xyz="0 1 0" for y, xyz="1 0 0" if x is right.',
-        here=f"It {does} the x axis of its own frame.",
-        gazebo=f"It {does} the x axis of its own frame.",
+        both=f"It {does} the x axis of its own frame.",
     )
 
 
@@ -93,6 +92,5 @@ def _not_unit(joint: JointEntry, axis: Vector, length: float) -> Find:
         element=element,
         what=f"the axis of {called(joint.element)} has length {number_text(length)}, not 1",
         remedy=f'Only its direction counts: write xyz="{unit}". To turn the axis, turn the joint: <origin rpy="..."/>.',
-        here="It is made one long.",
-        gazebo="It is made one long.",
+        both="It is made one long.",
     )

@@ -147,8 +147,7 @@ def _size(
         severity=Severity.WARNING if abs(told / real - 1.0) > _BAD else Severity.NOTE,
         element=drive.place(name),
         what=f"{stands}, but {what}",
-        here=f"The robot {verb} {short(factor)} times as fast as it is told; odometry from the wheels is off by that factor.",
-        gazebo=f"The robot {verb} {short(factor)} times as fast as it is told; odometry from the wheels is off by that factor.",
+        both=f"The robot {verb} {short(factor)} times as fast as it is told; odometry from the wheels is off by that factor.",
         remedy=f"Write <{name}>{short(real)}</{name}>.",
         related=[
             (drive.left[0].joint.element, "the left wheel"),

@@ -69,8 +69,7 @@ def _weak(drive: Drive, place: Element, what: str, enough: float) -> Find:
         place,
         severity=Severity.WARNING if is_read else Severity.NOTE,
         what=what,
-        here=follows,
-        gazebo=follows,
+        both=follows,
         remedy=f"Write at least <{name}>{short(enough)}</{name}>.",
     )
 

@@ -9,7 +9,7 @@ from simkit.urdf.rules.meaning import nearest
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import shown
 from simkit.urdf.rules.vocabulary import JOINT_TYPES
-from simkit.urdf.rules.wording import called, refusal
+from simkit.urdf.rules.wording import REFUSED, called
 
 _OTHER_NAMES = {
     **dict.fromkeys(("hinge", "rotational", "rotary", "rotation", "rotate", "pivot"), "revolute"),
@@ -55,8 +55,7 @@ def unknown_type(sheet: Sheet) -> Iterator[Find]:
             element=joint.element,
             what=f"{called(joint.element)} has the type {shown(joint.type)!r}, which does not exist",
             remedy=_remedy(joint.type),
-            here=refusal().here,
-            gazebo=refusal().gazebo,
+            loss=REFUSED,
         )
 
 

@@ -8,7 +8,7 @@ from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import JointEntry, LimitEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import number_text
-from simkit.urdf.rules.wording import called, refusal
+from simkit.urdf.rules.wording import REFUSED, called
 
 _UNITS = {"revolute": "rad", "prismatic": "m", "continuous": "rad"}
 
@@ -45,8 +45,7 @@ def no_limit(sheet: Sheet) -> Iterator[Find]:
             element=joint.element,
             what=f"{called(joint.element)} is {joint.type} and has no <limit>",
             remedy=f'Add e.g. <limit {bounds} effort="10" velocity="1"/> ({_UNITS[joint.type]}).{other}',
-            here=refusal().here,
-            gazebo=refusal().gazebo,
+            loss=REFUSED,
         )
 
 
@@ -143,8 +142,7 @@ def _no_room(joint: JointEntry, limit: LimitEntry, at: float) -> Find:
         element=limit.element,
         what=f"{called(joint.element)} has {why}: it cannot move",
         remedy=f'Give it room, e.g. {wide} ({_UNITS[str(joint.type)]}); or write type="fixed" if it is not to move.',
-        here="The joint stays where it is, and gets no slider.",
-        gazebo="The joint stays where it is, and gets no slider.",
+        both="The joint stays where it is, and gets no slider.",
     )
 
 
@@ -153,8 +151,7 @@ def _no_room(joint: JointEntry, limit: LimitEntry, at: float) -> Find:
     "limits that a continuous joint does not look at",
     Severity.NOTE,
     remedy='Leave them out, or write type="revolute" if the joint is to stop there.',
-    here="The joint turns without end.",
-    gazebo="The joint turns without end.",
+    both="The joint turns without end.",
 )
 def limits_of_a_continuous_joint(sheet: Sheet) -> Iterator[Find]:
     """Limits of angle on a joint that has none.

@@ -118,8 +118,7 @@ def _redefined(material: MaterialEntry, first: MaterialEntry) -> Find:
         element=material.element,
         what=f"material {quoted(material.name)} is defined as {new} here, and as {old} in line {first.element.span.line}",
         remedy="Give the two colours two names, or define the material once, in the robot.",
-        here="The first definition counts wherever the material is only named.",
-        gazebo="The first definition counts wherever the material is only named.",
+        both="The first definition counts wherever the material is only named.",
         related=[(first.element, "it is defined here first")],
     )
 
@@ -198,8 +197,7 @@ def _bad(color: Element, written: Attribute | None, what: str, right: str) -> Fi
         element=color,
         what=what,
         remedy=f'Write rgba="{right}": red, green, blue, opacity, each from 0 to 1.',
-        here=follows,
-        gazebo=follows,
+        both=follows,
     )
 
 

@@ -194,8 +194,7 @@ class _Looker:
             remedy=f'If it is drawn in millimetres, write scale="{scale}": then it is {right} m long.'
             if fits and factor < 1
             else f'Check its unit; with scale="{scale}" it is {right} m long.',
-            here="Its numbers are taken for metres.",
-            gazebo="Its numbers are taken for metres.",
+            both="Its numbers are taken for metres.",
         )
 
 

@@ -10,7 +10,7 @@ from simkit.urdf.rules.meaning import meant_attribute
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.tree_facts import names_for_spare_links
 from simkit.urdf.rules.values import shown
-from simkit.urdf.rules.wording import called, loss, part_of, quoted, refusal
+from simkit.urdf.rules.wording import REFUSED, called, loss, part_of, quoted
 from simkit.xml import Attribute, Element
 
 
@@ -42,8 +42,7 @@ def name_twice(sheet: Sheet) -> Iterator[Find]:
             element=entry.element,
             what=f"there is a {word} {quoted(entry.name)} already, in line {before.element.span.line}",
             remedy=f'Give this one another name, e.g. name="{shown(other)}"{wish}.',
-            here=refusal().here,
-            gazebo=refusal().gazebo,
+            loss=REFUSED,
             related=[(_name(before.element), f"the first {word} of that name")],
         )
 
@@ -109,7 +108,7 @@ def name_missing(sheet: Sheet) -> Iterator[Find]:
 
 def _nameless(element: Element, wish: str, *, refuses: bool) -> Find:
     empty = element.attribute("name")
-    follows = refusal() if refuses else loss(element)
+    follows = REFUSED if refuses else loss(element)
     here, gazebo = follows.here, follows.gazebo
     severity = follows.severity
     is_link = called(element).startswith("a link ")

@@ -16,8 +16,7 @@ _DECLARES = "xmlns:"
     "URDF-I48",
     "a namespace that nothing in the file uses",
     Severity.NOTE,
-    here="It has no effect.",
-    gazebo="It has no effect.",
+    both="It has no effect.",
 )
 def unused_namespace(sheet: Sheet) -> Iterator[Find]:
     """A namespace that nothing in the file uses.

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics.table import Loss
 from simkit.urdf.rules.grammar import in_context
 from simkit.urdf.rules.number_repair import mended
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import read_number, shown
-from simkit.urdf.rules.wording import Loss, loss, part_of
+from simkit.urdf.rules.wording import loss, part_of
 from simkit.urdf.urdfdom.numbers import to_double
 from simkit.xml import Attribute, Element
 
@@ -116,14 +117,12 @@ def _bad(element: Element, attribute: Attribute, count: int, trouble: str) -> Fi
     follows = _follows(element)
     return Find(
         attribute,
-        severity=follows.severity,
         element=element,
         what=f"{attribute.name}={shown(attribute.value)!r} of {part_of(element)} {trouble}",
         remedy=f'Write {attribute.name}="{right}".'
         if right is not None
         else f'Write {many}, e.g. {attribute.name}="{example}".',
-        here=follows.here,
-        gazebo=follows.gazebo,
+        loss=follows,
     )
 
 

@@ -62,11 +62,9 @@ def attribute_missing(sheet: Sheet) -> Iterator[Find]:
             names = " and ".join(missing) if len(missing) < 3 else ", ".join(missing)
             yield Find(
                 element,
-                severity=follows.severity,
                 what=f"<{shown(element.name)}> of {part_of(element)} lacks {names}",
                 remedy=_end_text(sheet, element, word) or wanted_text(element, word, missing),
-                here=follows.here,
-                gazebo=follows.gazebo,
+                loss=follows,
             )
 
 
@@ -130,11 +128,9 @@ def _lacking(element: Element, name: str, example: str) -> Find:
     whole = called(element) if element.parent is None or element.name == "joint" else ""
     return Find(
         element,
-        severity=follows.severity,
         what=f"{whole or part_of(element)} has no <{name}>",
         remedy=f"Add one, e.g. {example}.",
-        here=follows.here,
-        gazebo=follows.gazebo,
+        loss=follows,
     )
 
 
@@ -152,11 +148,9 @@ def _no_shape(geometry: Element) -> Iterator[Find]:
         remedy = f"{known} Take {other}." if other else known
     yield Find(
         shape or geometry,
-        severity=follows.severity,
         what=what,
         remedy=remedy,
-        here=follows.here,
-        gazebo=follows.gazebo,
+        loss=follows,
     )
 
 
@@ -164,8 +158,7 @@ def _no_shape(geometry: Element) -> Iterator[Find]:
     "URDF-W35",
     "a part stands there twice, and only the first one counts",
     Severity.WARNING,
-    here="It is not looked at.",
-    gazebo="It is not looked at.",
+    both="It is not looked at.",
 )
 def repeated_part(sheet: Sheet) -> Iterator[Find]:
     """A part that may stand there once stands there twice.

@@ -65,8 +65,7 @@ def sensor_values(sheet: Sheet) -> Iterator[Find]:
     "LAS-W01",
     "a laser inside of the robot's own shape",
     Severity.WARNING,
-    here="Its beams hit the robot itself.",
-    gazebo="Its beams hit the robot itself.",
+    both="Its beams hit the robot itself.",
 )
 def laser_inside(sheet: Sheet) -> Iterator[Find]:
     """A laser that sits inside the robot's own collision shape.

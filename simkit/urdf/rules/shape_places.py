@@ -110,8 +110,7 @@ def no_collision(sheet: Sheet) -> Iterator[Find]:
             link.visuals[0].element,
             severity=Severity.NOTE if lump.touches else Severity.WARNING,
             what=f"{called(link.element)} is seen, but cannot be touched: it has a <visual> and no <collision>",
-            here="Other things, and the beams of lasers, pass through it.",
-            gazebo="Other things, and the beams of lasers, pass through it.",
+            both="Other things, and the beams of lasers, pass through it.",
             remedy=_collision_remedy(link),
         )
 
@@ -162,8 +161,7 @@ def _touches_nothing(sheet: Sheet, link: LinkEntry) -> Find:
         link.visuals[0].element,
         severity=Severity.NOTE,
         what=f"no link can be touched: {listed(names)} have masses and visuals, but no <collision>",
-        here="The robot falls through floors, unless it is fixed to the world.",
-        gazebo="The robot falls through floors, unless it is fixed to the world.",
+        both="The robot falls through floors, unless it is fixed to the world.",
         remedy=_collision_remedy(link),
     )
 

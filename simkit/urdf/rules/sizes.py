@@ -108,8 +108,7 @@ def _large(element: Element, attribute: Attribute, size: float) -> Find:
         element=element,
         what=f"{attribute.name} {number_text(size)} in {part_of(element)} is in metres: that is large for a robot",
         remedy=f"If millimetres are meant, write {number_text(size / 1000)}; if centimetres, {number_text(size / 100)}.",
-        here="It is taken for metres.",
-        gazebo="It is taken for metres.",
+        both="It is taken for metres.",
     )
 
 

@@ -109,8 +109,7 @@ def in_itself(sheet: Sheet) -> Iterator[Find]:
         yield Find(
             sheet.link_by_name[wheels[0][1]].element,
             what=f"a wheel reaches into the body: {_shown(wheels)}",
-            here="Nothing happens: links with a joint between them pass through each other.",
-            gazebo="Nothing happens: links with a joint between them pass through each other.",
+            both="Nothing happens: links with a joint between them pass through each other.",
             remedy="A real wheel needs room: move its joint outward, or make the body narrower.",
         )
 

@@ -16,8 +16,7 @@ from simkit.urdf.rules.wording import called, part_of
     "URDF-I36",
     "text where URDF has none",
     Severity.NOTE,
-    here="It is not read.",
-    gazebo="It is not read.",
+    both="It is not read.",
 )
 def stray_text(sheet: Sheet) -> Iterator[Find]:
     """Text between the tags, where URDF has none.

@@ -97,8 +97,7 @@ def control_plugin(sheet: Sheet) -> Iterator[Find]:
         yield Find(
             plugins[0].element,
             what=f"the plugin {CONTROL}, and no <transmission> that says which joints it may move",
-            here="The controller manager starts and has no joints.",
-            gazebo="The controller manager starts and has no joints.",
+            both="The controller manager starts and has no joints.",
             remedy=f"Add a <transmission> for each joint that is to be controlled: {listed(moving_joints(sheet))}.",
         )
 

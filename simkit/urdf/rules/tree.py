@@ -10,7 +10,7 @@ from simkit.urdf.rules.loops import Loop, loops, two_parents
 from simkit.urdf.rules.sheet import MOST_FINDS, Sheet
 from simkit.urdf.rules.tree_facts import Wanted, names_for_spare_links, wanted_links
 from simkit.urdf.rules.values import shown
-from simkit.urdf.rules.wording import called, listed, meant, quoted, refusal
+from simkit.urdf.rules.wording import REFUSED, called, listed, meant, quoted
 from simkit.xml import Attribute, Element
 
 
@@ -55,8 +55,7 @@ def _unknown(sheet: Sheet, name: str, uses: list[Wanted]) -> Find:
         element=_element(first),
         what=what + others,
         remedy=_known_link(sheet, name, near, len(uses)),
-        here=refusal().here,
-        gazebo=refusal().gazebo,
+        loss=REFUSED,
         related=related,
     )
 
@@ -115,8 +114,7 @@ def several_roots(sheet: Sheet) -> Iterator[Find]:
         element=others[0].element,
         what=f"{len(roots)} links hang on nothing: {listed(str(root.name) for root in roots)}; a robot has one root ({trees})",
         remedy=f"Join them, e.g. {joint}, or give a joint that has the wrong child the right one.",
-        here=refusal().here,
-        gazebo=refusal().gazebo,
+        loss=REFUSED,
         related=[
             (_name(root.element), f"root {quoted(root.name)}") for root in (main, *others[1:4])
         ],
@@ -220,8 +218,8 @@ def _second_parent(
         what=f"link {name} has two parents: {quoted(before.parent)} by {first}, {quoted(joint.parent)} by {second}",
         remedy=_other_child(joint, free)
         or f"Take {first} or {second} out, or give it another child.",
-        here="simkit shows it twice, too." if is_tree else refusal().here,
-        gazebo=gazebo if is_tree else refusal().gazebo,
+        here="simkit shows it twice, too." if is_tree else REFUSED.here,
+        gazebo=gazebo if is_tree else REFUSED.gazebo,
         related=[(_at(before), "its first parent is given here")],
     )
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.sheet import Sheet, is_for_xacro
 from simkit.urdf.rules.values import shown
-from simkit.urdf.rules.wording import refusal
+from simkit.urdf.rules.wording import REFUSED
 from simkit.urdf.urdfdom.numbers import MalformedError, check_version
 
 _SDF = "This is SDF, Gazebo's other language. Spawn it with spawn_model -sdf, or write it anew as URDF."
@@ -51,8 +51,7 @@ def no_robot(sheet: Sheet) -> Iterator[Find]:
         root,
         what=f"the outermost element is <{shown(root.name)}>, not <robot>",
         remedy=remedy,
-        here=refusal().here,
-        gazebo=refusal().gazebo,
+        loss=REFUSED,
     )
 
 
@@ -83,8 +82,7 @@ def bad_version(sheet: Sheet) -> Iterator[Find]:
         version,
         element=sheet.robot,
         what=f"version {shown(version.value)!r} of URDF does not exist",
-        here=refusal().here,
-        gazebo=refusal().gazebo,
+        loss=REFUSED,
     )
 
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from simkit.diagnostics import Severity
+from simkit.diagnostics.table import Loss
 from simkit.urdf.rules.meaning import nearest
 from simkit.urdf.rules.values import shown
 from simkit.xml import Element
@@ -55,16 +55,12 @@ def meant(near: Iterable[str]) -> str:
     return f"Did you mean {' or '.join(names)}? " if names else ""
 
 
-@dataclass(frozen=True, kw_only=True)
-class Loss:
-    """What follows if something cannot be read."""
-
-    severity: Severity
-    """An error if ROS refuses the file, or loses more than a colour."""
-    here: str
-    """What simkit does."""
-    gazebo: str
-    """What ROS does."""
+REFUSED = Loss(
+    here="simkit refuses the file too.",
+    gazebo="ROS refuses the whole file.",
+    severity=Severity.ERROR,
+)
+"""What follows if ROS refuses the whole file."""
 
 
 def loss(element: Element) -> Loss:
@@ -91,16 +87,7 @@ def loss(element: Element) -> Loss:
         return Loss(
             severity=Severity.WARNING, here=here, gazebo="ROS goes on without this material."
         )
-    return refusal()
-
-
-def refusal() -> Loss:
-    """What follows if ROS refuses the whole file."""
-    return Loss(
-        severity=Severity.ERROR,
-        here="simkit refuses the file too.",
-        gazebo="ROS refuses the whole file.",
-    )
+    return REFUSED
 
 
 def _words_up(element: Element | None) -> Iterator[str | None]:
