@@ -9,10 +9,10 @@ import dartpy
 import numpy as np
 from figures import Figure, median_of, show
 
+from simkit.geometry import Transform
 from simkit.physics import Model, World, plan_robot
 from simkit.physics.sdf import plan_model, read_model_text
 from simkit.urdf import load_robot
-from simkit.urdf.kinematics import Placement
 
 ROBOTS = Path(__file__).resolve().parents[1] / "tests/simkit/physics/robots"
 SECOND, STEPS, ROUNDS = 1_000_000_000, 2000, 21
@@ -24,7 +24,7 @@ def robot(world: World, name: str, z: float = 0.0) -> Model:
     """A robot of the tests in a world."""
     text = (ROBOTS / f"{name}.urdf").read_text(encoding="utf-8")
     plan = plan_robot(load_robot(text, file=f"{name}.urdf"))
-    return world.add(plan, name=name, pose=Placement((0.0, 0.0, z), (0.0, 0.0, 0.0, 1.0)))
+    return world.add(plan, name=name, pose=Transform((0.0, 0.0, z), (0.0, 0.0, 0.0, 1.0)))
 
 
 def driving_car() -> World:
@@ -62,7 +62,7 @@ def arm_and_ball() -> World:
         "<geometry><sphere><radius>0.1</radius></sphere></geometry></collision></link></model></sdf>"
     )
     plan = plan_model(read_model_text(ball, file="ball")[0])
-    world.add(plan, name="ball", pose=Placement((3.0, 0.0, 0.1), (0.0, 0.0, 0.0, 1.0)))
+    world.add(plan, name="ball", pose=Transform((3.0, 0.0, 0.1), (0.0, 0.0, 0.0, 1.0)))
     world.run(2 * SECOND)
     return world
 
@@ -156,7 +156,7 @@ def show_rays() -> None:
     plan = plan_model(read_model_text(box, file="box")[0])
     for number in range(6):
         place = (3.0 * math.cos(number), 3.0 * math.sin(number), 0.5)
-        world.add(plan, name=f"box{number}", pose=Placement(place, (0.0, 0.0, 0.0, 1.0)))
+        world.add(plan, name=f"box{number}", pose=Transform(place, (0.0, 0.0, 0.0, 1.0)))
     angles = np.linspace(-math.pi / 2, math.pi / 2, BEAMS)
     directions = np.stack([np.cos(angles), np.sin(angles), np.zeros(BEAMS)], axis=1)
     start = np.array([0.4, 0.0, 0.3])

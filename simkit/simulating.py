@@ -88,8 +88,7 @@ class Simulating:
             SimkitError: There is no such file, or no such model can be.
         """
         from simkit.gazebo.spawning import read_model
-        from simkit.urdf import Pose
-        from simkit.urdf.kinematics import pose_transform
+        from simkit.geometry import Transform
 
         model = read_model(path_or_text, self.packages)
         gazebo = self.gazebo
@@ -97,7 +96,7 @@ class Simulating:
         return spawn(
             model.text,
             name=name or model.name,
-            pose=pose_transform(Pose(xyz=xyz, rpy=rpy)),
+            pose=Transform.from_rpy(xyz, rpy),
             namespace=namespace,
             file=model.file,
         )

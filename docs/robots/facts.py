@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from simkit.diagnostics import Diagnostic
+from simkit.geometry import Vector
 from simkit.packages import PackagePath
-from simkit.urdf import Box, Cylinder, Robot, Sphere, Vector, check_urdf_text, read_robot
+from simkit.urdf import Box, Cylinder, Robot, Sphere, check_urdf_text, read_robot
 from simkit.urdf.frame import Frame
 from simkit.urdf.placed_shape import PlacedShape
 from simkit.urdf.rules import check_robot

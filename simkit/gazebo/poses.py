@@ -5,12 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from simkit.geometry import Vector
+from simkit.geometry import IDENTITY, Transform, Vector
 from simkit.msgs import message_class
-from simkit.physics import ORIGIN
-from simkit.urdf.kinematics import Placement, compose
-
-__all__ = ["compose", "placement_of", "pose_message", "twist_message", "vector_of"]
 
 
 def vector_of(message: Any) -> Vector:
@@ -18,17 +14,17 @@ def vector_of(message: Any) -> Vector:
     return (message.x, message.y, message.z)
 
 
-def placement_of(pose: Any) -> Placement:
+def placement_of(pose: Any) -> Transform:
     """The pose of a message; a quaternion of zeros, as in a request left empty, turns nothing."""
     q = pose.orientation
     norm = math.sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w)
-    rotation = ORIGIN.rotation
+    rotation = IDENTITY
     if norm > 0.0 and math.isfinite(norm):
         rotation = (q.x / norm, q.y / norm, q.z / norm, q.w / norm)
-    return Placement(vector_of(pose.position), rotation)
+    return Transform(vector_of(pose.position), rotation)
 
 
-def pose_message(placement: Placement) -> Any:
+def pose_message(placement: Transform) -> Any:
     """A `geometry_msgs/Pose`."""
     pose: Any = message_class("geometry_msgs/Pose")()
     pose.position.x, pose.position.y, pose.position.z = placement.translation

@@ -13,13 +13,12 @@ from simkit.errors import SimkitError
 from simkit.gazebo.attaching import Attachments, tags_of_robot, tags_of_sdf
 from simkit.gazebo.errors import SpawnError
 from simkit.gazebo.spawned import Spawned
+from simkit.geometry import Transform
 from simkit.graph import Node
 from simkit.packages import PackagePath
 from simkit.physics import ORIGIN, LostModelError, Model, ModelPlan, World, plan_robot
-from simkit.physics.poses import then
 from simkit.physics.sdf import ModelLibrary, SdfModel, SdfWorld, plan_model, read_model_text
 from simkit.urdf import load_robot
-from simkit.urdf.kinematics import Placement, compose, pose_transform
 from simkit.urdf.rules.brief import brief_lines
 
 WORLD_FRAMES = ("", "world", "map", "/map")
@@ -63,7 +62,7 @@ class Gazebo:
         self._executor.attach(self._move)
         node.on_shutdown(self._close)
         for model in description.models:
-            self._add_sdf(model, model.name, pose_transform(model.pose), None, model.uri)
+            self._add_sdf(model, model.name, model.pose.transform, None, model.uri)
 
     @property
     def spawned(self) -> Mapping[str, Spawned]:
@@ -77,7 +76,7 @@ class Gazebo:
         text: str,
         *,
         name: str,
-        pose: Placement = ORIGIN,
+        pose: Transform = ORIGIN,
         namespace: str | None = "/",
         reference_frame: str = "",
         file: str = "",
@@ -120,7 +119,7 @@ class Gazebo:
         text: str,
         *,
         name: str,
-        pose: Placement = ORIGIN,
+        pose: Transform = ORIGIN,
         namespace: str | None = "/",
         reference_frame: str = "",
         file: str = "",
@@ -140,7 +139,7 @@ class Gazebo:
         for one in found:
             if one.severity is not Severity.NOTE:
                 self.node.warn(f"{one.file}:{one.span.line}: {one.what}")
-        return self._add_sdf(model, name, compose(at, pose_transform(model.pose)), namespace, file)
+        return self._add_sdf(model, name, at @ model.pose.transform, namespace, file)
 
     def delete(self, name: str) -> None:
         """Take a model out of the world.
@@ -178,7 +177,7 @@ class Gazebo:
         self._rebase()
         self._reset_plugins()
 
-    def frame(self, name: str) -> Placement:
+    def frame(self, name: str) -> Transform:
         """Where a model, or a link written as `model::link`, is in the world.
 
         Raises:
@@ -197,7 +196,7 @@ class Gazebo:
 
     # -- private
 
-    def _placed(self, name: str, pose: Placement, reference_frame: str) -> Placement:
+    def _placed(self, name: str, pose: Transform, reference_frame: str) -> Transform:
         if not name:
             raise SpawnError(INVALID, "A model needs a name: -model NAME.")
         if name in self.world.models:
@@ -206,7 +205,7 @@ class Gazebo:
                 f"A model {name!r} is there already: delete it first (rosservice call "
                 f"/gazebo/delete_model '{{model_name: {name}}}'), or give another name.",
             )
-        return then(self.frame(reference_frame), pose)
+        return self.frame(reference_frame) @ pose
 
     def _tell_faults(self, text: str, file: str) -> None:
         """Say what check_urdf finds, once for each text."""
@@ -217,7 +216,7 @@ class Gazebo:
         for line in brief_lines(text, file, self.packages, is_file=False):
             self.node.warn(line)
 
-    def _add(self, plan: ModelPlan, name: str, pose: Placement) -> Model:
+    def _add(self, plan: ModelPlan, name: str, pose: Transform) -> Model:
         try:
             model = self.world.add(plan, name=name, pose=pose)
         except SimkitError as error:
@@ -229,7 +228,7 @@ class Gazebo:
         return model
 
     def _add_sdf(
-        self, sdf: SdfModel, name: str, pose: Placement, namespace: str | None, file: str
+        self, sdf: SdfModel, name: str, pose: Transform, namespace: str | None, file: str
     ) -> Spawned:
         try:
             plan = plan_model(sdf)

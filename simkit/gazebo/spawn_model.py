@@ -15,7 +15,6 @@ from simkit.graph import Node
 from simkit.msgs import Duration, service_class
 from simkit.packages import PackagePath
 from simkit.tools.program import Program
-from simkit.urdf.kinematics import pose_transform
 from simkit.xml import parse_xml
 
 POLL = Duration.from_nsec(100_000_000)
@@ -160,7 +159,7 @@ class SpawnModel(Program):
         request.model_name = self._request.model
         request.model_xml = self._text
         request.robot_namespace = self._namespace()
-        request.initial_pose = pose_message(pose_transform(self._request.pose))
+        request.initial_pose = pose_message(self._request.pose.transform)
         request.reference_frame = self._request.reference_frame
         self._call(service, "gazebo_msgs/SpawnModel", request, self._spawned)
         return True

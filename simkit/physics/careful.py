@@ -36,11 +36,11 @@ from typing import Any
 
 import numpy as np
 
+from simkit.geometry import Vector
 from simkit.physics.plan import JointKind, JointPlan, ModelPlan
 from simkit.physics.skeleton import Built
 from simkit.urdf.frame import Frame
 from simkit.urdf.inertia import Body, placed
-from simkit.urdf.model import Vector
 
 BURST = 8
 """Steps from one kick to the next, at most; `simkit.physics.watch.LOOK_EVERY` is a multiple of it."""

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from simkit.geometry import Vector
 from simkit.physics.plan import ShapePlan
 from simkit.physics.poses import vector
-from simkit.urdf.model import Vector
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -25,8 +25,8 @@ import platform
 import sys
 from typing import Any
 
+from simkit.geometry import Vector
 from simkit.physics.errors import NoEngineError
-from simkit.urdf.model import Vector
 
 STEP_NS = 1_000_000
 """Time of one step [ns], as Gazebo's."""

@@ -14,10 +14,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from simkit.geometry import Vector
 from simkit.urdf.frame import Frame
 from simkit.urdf.matrix import Matrix
 from simkit.urdf.mesh_file import MeshError, load_mesh
-from simkit.urdf.model import Box, Cylinder, Sphere, Vector
+from simkit.urdf.model import Box, Cylinder, Sphere
 
 MAX_TRIANGLES = 20_000
 """A mesh with more is seen by a laser as the solid that stands in for it."""

@@ -8,15 +8,14 @@ from typing import Any
 import numpy as np
 
 from simkit.errors import UnknownNameError
-from simkit.geometry import Vector, quaternion_from_matrix
+from simkit.geometry import Transform, Vector, quaternion_from_matrix
 from simkit.physics.braking import Brakes
 from simkit.physics.errors import PhysicsError
 from simkit.physics.joint import FARTHEST, STRONGEST, ModelJoint, Ties
 from simkit.physics.plan import JointKind, ModelPlan
-from simkit.physics.poses import frame_of, isometry, placement, then, vector
+from simkit.physics.poses import frame_of, isometry, placement, vector
 from simkit.physics.skeleton import Built, place_joint
 from simkit.urdf.frame import Frame
-from simkit.urdf.kinematics import Placement, inverse
 
 REST: Vector = (0.0, 0.0, 0.0)
 """No velocity."""
@@ -35,7 +34,7 @@ class Model:
         built: Built,
         *,
         name: str,
-        pose: Placement,
+        pose: Transform,
         busy: dict[int, ModelJoint],
         pushed: list[Any],
         touched: Callable[[], None],
@@ -66,9 +65,9 @@ class Model:
         self.is_free = is_loose and not plan.is_static
         """Whether it can go anywhere."""
         self._pose = pose
-        self._to_model = Placement(REST, (0.0, 0.0, 0.0, 1.0))
+        self._to_model = Transform(REST, (0.0, 0.0, 0.0, 1.0))
         if roots:
-            self._to_model = inverse(_placement(roots[0].frame))
+            self._to_model = _placement(roots[0].frame).inverse()
         self._pushed = pushed
         self.brakes = Brakes(plan, built, pushed)
         """What takes velocity from its bodies."""
@@ -116,22 +115,22 @@ class Model:
         return float(self.built.skeleton.computePotentialEnergy()) if self._roots else 0.0
 
     @property
-    def pose(self) -> Placement:
+    def pose(self) -> Transform:
         """Where its frame is in the world."""
         if not self._roots:
             return self._pose
         body = self.built.bodies[self._roots[0][0].child]
-        return then(placement(body.getWorldTransform()), self._to_model)
+        return placement(body.getWorldTransform()) @ self._to_model
 
     @property
-    def base(self) -> Placement:
+    def base(self) -> Transform:
         """Where its frame was when all its joints were at 0: for what is fixed to the world that frame itself."""
         if not self._roots:
             return self._pose
         plan, joint = self._roots[0]
         is_free = plan.kind is JointKind.FREE
         at = joint.getRelativeTransform() if is_free else joint.getTransformFromParentBodyNode()
-        return then(placement(at), inverse(_placement(plan.frame.then(plan.anchor))))
+        return placement(at) @ _placement(plan.frame.then(plan.anchor)).inverse()
 
     @property
     def twist(self) -> tuple[Vector, Vector]:
@@ -151,14 +150,14 @@ class Model:
             raise UnknownNameError(f"moving joint in {self.name!r}", name, self.joints)
         return self.joints[name]
 
-    def link_pose(self, link: str) -> Placement:
+    def link_pose(self, link: str) -> Transform:
         """Where a link is in the world.
 
         Raises:
             UnknownNameError: It has no such link, or one without mass, which is not simulated.
         """
         body, mount = self._mount(link)
-        return then(placement(body.getWorldTransform()), mount)
+        return placement(body.getWorldTransform()) @ mount
 
     def link_twist(self, link: str) -> tuple[Vector, Vector]:
         """How a link moves in the world: velocity of its origin [m/s], angular velocity [rad/s].
@@ -170,7 +169,7 @@ class Model:
         offset = np.array(mount.translation)
         return vector(body.getLinearVelocity(offset)), vector(body.getAngularVelocity())
 
-    def set_pose(self, pose: Placement) -> None:
+    def set_pose(self, pose: Transform) -> None:
         """Put it somewhere at once; its joints and its velocities, seen from itself, stay.
 
         Args:
@@ -180,7 +179,7 @@ class Model:
             PhysicsError: A number is none.
         """
         moved = frame_of(pose)
-        back = frame_of(inverse(self.pose))
+        back = frame_of(self.pose.inverse())
         self._pose = pose
         self._move(moved.then(back))
         self._touched()
@@ -245,7 +244,7 @@ class Model:
         body, mount = self._mount(link)
         if not all(abs(x) <= STRONGEST for x in (*force, *torque, *point)):
             raise PhysicsError(f"link {link} cannot be pushed by {force} and {torque} at {point}")
-        at = then(mount, Placement(point, (0.0, 0.0, 0.0, 1.0))).translation
+        at = (mount @ Transform(point, (0.0, 0.0, 0.0, 1.0))).translation
         body.addExtForce(list(force), list(at), False, True)
         body.addExtTorque(list(torque), False)
         self._pushed.append(body)
@@ -265,7 +264,7 @@ class Model:
     def _stir(self) -> None:
         self.is_calm = False
 
-    def _mount(self, link: str) -> tuple[Any, Placement]:
+    def _mount(self, link: str) -> tuple[Any, Transform]:
         found = self._mounts.get(link)
         if found is None:
             raise UnknownNameError(f"link in {self.name!r}", link, self._mounts)
@@ -283,7 +282,7 @@ class Model:
                 joint.setTransformFromParentBodyNode(at)
 
 
-def _mounts(plan: ModelPlan, built: Built) -> dict[str, tuple[Any, Placement]]:
+def _mounts(plan: ModelPlan, built: Built) -> dict[str, tuple[Any, Transform]]:
     """The body that each link is on, and where it is there."""
     return {
         link: (built.bodies[mount.body], _placement(mount.frame))
@@ -291,5 +290,5 @@ def _mounts(plan: ModelPlan, built: Built) -> dict[str, tuple[Any, Placement]]:
     }
 
 
-def _placement(frame: Frame) -> Placement:
-    return Placement(frame.origin, quaternion_from_matrix(frame.rotation))
+def _placement(frame: Frame) -> Transform:
+    return Transform(frame.origin, quaternion_from_matrix(frame.rotation))

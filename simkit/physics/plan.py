@@ -11,10 +11,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
+from simkit.geometry import Vector
 from simkit.physics.mesh import TriangleMesh
 from simkit.urdf.frame import Frame
 from simkit.urdf.inertia import Body
-from simkit.urdf.model import Box, Cylinder, Sphere, Vector
+from simkit.urdf.model import Box, Cylinder, Sphere
 
 HERE = Frame()
 """The frame itself."""

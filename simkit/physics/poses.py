@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from simkit.geometry import Quaternion, Vector, multiply, rotate
+from simkit.geometry import Transform, Vector
 from simkit.physics.engine import dart
 from simkit.physics.errors import PhysicsError
 from simkit.urdf.frame import Frame
-from simkit.urdf.kinematics import Placement
 from simkit.urdf.matrix import Matrix
 
 FARTHEST = 1e6
@@ -23,13 +22,13 @@ def isometry(frame: Frame) -> Any:
     return dart().math.Isometry3(np.array(frame.rotation), np.array(frame.origin))
 
 
-def placement(transform: Any) -> Placement:
+def placement(transform: Any) -> Transform:
     """T_ab of an `Isometry3` of the engine."""
     (a, b, c, x), (d, e, f, y), (g, h, i, z), _ = transform.matrix().tolist()
-    return Placement((x, y, z), quaternion(((a, b, c), (d, e, f), (g, h, i))))
+    return Transform.from_matrix((x, y, z), ((a, b, c), (d, e, f), (g, h, i)))
 
 
-def frame_of(pose: Placement) -> Frame:
+def frame_of(pose: Transform) -> Frame:
     """A pose with its rotation as a matrix.
 
     Raises:
@@ -46,34 +45,6 @@ def frame_of(pose: Placement) -> Frame:
         (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
     )
     return Frame(rotation, pose.translation)
-
-
-def quaternion(matrix: Matrix) -> Quaternion:
-    """The unit quaternion of a rotation; w is not negative unless it is small.
-
-    Source:
-        Shepperd's method: divide by the largest of the four.
-    """
-    (a, b, c), (d, e, f), (g, h, i) = matrix
-    trace = a + e + i
-    if trace > 0.0:
-        s = 2.0 * math.sqrt(1.0 + trace)
-        return ((h - f) / s, (c - g) / s, (d - b) / s, s / 4.0)
-    if a >= e and a >= i:
-        s = 2.0 * math.sqrt(1.0 + a - e - i)
-        return (s / 4.0, (b + d) / s, (c + g) / s, (h - f) / s)
-    if e >= i:
-        s = 2.0 * math.sqrt(1.0 + e - a - i)
-        return ((b + d) / s, s / 4.0, (f + h) / s, (c - g) / s)
-    s = 2.0 * math.sqrt(1.0 + i - a - e)
-    return ((c + g) / s, (f + h) / s, s / 4.0, (d - b) / s)
-
-
-def then(outer: Placement, inner: Placement) -> Placement:
-    """T_ac = T_ab T_bc, for T_ab = `outer` and T_bc = `inner`."""
-    x, y, z = rotate(outer.rotation, inner.translation)
-    tx, ty, tz = outer.translation
-    return Placement((tx + x, ty + y, tz + z), multiply(outer.rotation, inner.rotation))
 
 
 def vector(array: Any) -> Vector:

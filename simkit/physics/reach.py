@@ -10,10 +10,11 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from simkit.geometry import Vector
 from simkit.physics.plan import JointKind, JointPlan, ModelPlan, Plane, ShapePlan, Solid
 from simkit.urdf.frame import Frame
 from simkit.urdf.matrix import apply
-from simkit.urdf.model import Box, Cylinder, Sphere, Vector
+from simkit.urdf.model import Box, Cylinder, Sphere
 
 NOWHERE: Vector = (0.0, 0.0, 0.0)
 

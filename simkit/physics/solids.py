@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+from simkit.geometry import Vector
 from simkit.physics.bodies import check_lengths
 from simkit.physics.errors import ModelError
 from simkit.physics.mesh import MAX_TRIANGLES, read_mesh, stand_in
 from simkit.physics.plan import Plane, ShapePlan
 from simkit.urdf.mesh_file import MeshError
-from simkit.urdf.model import Box, Cylinder, Mesh, Sphere, Vector
+from simkit.urdf.model import Box, Cylinder, Mesh, Sphere
 
 SMALLEST = 1e-6
 """A shape with a smaller size [m] is none."""

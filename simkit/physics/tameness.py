@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 
+from simkit.geometry import Vector
 from simkit.physics.plan import BodyPlan, ModelPlan, Plane
 from simkit.physics.solids import sizes_of
 from simkit.urdf.matrix import eigenvalues
-from simkit.urdf.model import Vector
 
 HEAVIEST = 1e4
 """Mass of the heaviest body of a model over that of the lightest one."""

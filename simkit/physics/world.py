@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simkit.errors import UnknownNameError
-from simkit.geometry import Vector
+from simkit.geometry import Transform, Vector
 from simkit.physics.contact import Contact, Owner, read_contacts
 from simkit.physics.engine import GRAVITY, STEP_NS, new_engine_world
 from simkit.physics.errors import ModelError, PhysicsError
@@ -23,9 +23,8 @@ from simkit.physics.sight import Sight
 from simkit.physics.skeleton import build, shy_pairs
 from simkit.physics.stepper import Stepper
 from simkit.physics.watch import Watch
-from simkit.urdf.kinematics import Placement
 
-ORIGIN = Placement((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+ORIGIN = Transform((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
 """Where a model is added if nobody says where."""
 
 
@@ -112,7 +111,7 @@ class World:
             raise UnknownNameError("model", name, self._models)
         return self._models[name]
 
-    def add(self, plan: ModelPlan, *, name: str | None = None, pose: Placement = ORIGIN) -> Model:
+    def add(self, plan: ModelPlan, *, name: str | None = None, pose: Transform = ORIGIN) -> Model:
         """Add a model, at rest.
 
         Args:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from simkit.geometry import Transform
 from simkit.plugins.odometry import Motion
-from simkit.urdf.kinematics import Placement
 
 
 class EncoderOdometry:
@@ -53,7 +53,7 @@ class EncoderOdometry:
         half = self._yaw / 2.0
         rotation = (0.0, 0.0, math.sin(half), math.cos(half))
         return Motion(
-            pose=Placement((self._x, self._y, 0.0), rotation),
+            pose=Transform((self._x, self._y, 0.0), rotation),
             linear=(self._speed, 0.0),
             turning=self._turning,
         )

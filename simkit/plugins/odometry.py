@@ -6,11 +6,10 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from simkit.geometry import roll_pitch_yaw
+from simkit.geometry import Transform, roll_pitch_yaw
 from simkit.msgs import Time, message_class
 from simkit.physics import Model
 from simkit.plugins.site import Site
-from simkit.urdf.kinematics import Placement
 
 UNKNOWN = 1e12
 """Variance of what a robot on wheels does not measure."""
@@ -20,7 +19,7 @@ UNKNOWN = 1e12
 class Motion:
     """Where a robot is, and how it moves."""
 
-    pose: Placement
+    pose: Transform
     """T_odom_base."""
     linear: tuple[float, float]
     """Velocity forward and to the left [m/s]."""
@@ -132,7 +131,7 @@ def diagonal(variances: tuple[float, float, float, float, float, float]) -> list
     return [variances[i] if i == j else 0.0 for i in range(6) for j in range(6)]
 
 
-def transform_message(pose: Placement, frames: Frames, stamp: Time) -> Any:
+def transform_message(pose: Transform, frames: Frames, stamp: Time) -> Any:
     """A `geometry_msgs/TransformStamped` of T_parent_child."""
     message: Any = message_class("geometry_msgs/TransformStamped")()
     message.header.stamp = stamp

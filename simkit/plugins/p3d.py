@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from simkit.errors import near_names
-from simkit.geometry import Vector, conjugate, multiply, rotate
+from simkit.geometry import Transform, Vector, conjugate, multiply, rotate
 from simkit.msgs import message_class
 from simkit.plugins.errors import PluginError
 from simkit.plugins.naming import resolve_frame, tf_prefix, topic_of
@@ -20,7 +20,6 @@ from simkit.plugins.parameters import place, tag
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.site import Site
 from simkit.plugins.tag_texts import read_triple, read_turn
-from simkit.urdf.kinematics import Placement
 
 WORLD_FRAMES = ("world", "/world", "map", "/map")
 """Names that mean the world itself."""
@@ -73,7 +72,7 @@ class P3d(Plugin[P3dParameters]):
         self._body = self._link("bodyName", parameters.body_name)
         frame = parameters.frame_name
         self._reference = None if frame in WORLD_FRAMES else self._link("frameName", frame)
-        self._offset = Placement(
+        self._offset = Transform(
             read_triple(site, "xyzOffset", parameters.xyz_offset),
             read_turn(site, "rpyOffset", parameters.rpy_offset),
         )
@@ -136,7 +135,7 @@ class P3d(Plugin[P3dParameters]):
         message.pose.covariance = message.twist.covariance = self._covariance
         return message
 
-    def _seen(self) -> tuple[Placement, Vector, Vector]:
+    def _seen(self) -> tuple[Transform, Vector, Vector]:
         """Pose and velocities, seen from the frame, with the offsets."""
         model = self.site.model
         pose, (linear, angular) = model.link_pose(self._body), model.link_twist(self._body)
@@ -153,7 +152,7 @@ class P3d(Plugin[P3dParameters]):
         x, y, z = pose.translation
         dx, dy, dz = self._offset.translation
         rotation = multiply(self._offset.rotation, pose.rotation)
-        return Placement((x + dx, y + dy, z + dz), rotation), linear, angular
+        return Transform((x + dx, y + dy, z + dz), rotation), linear, angular
 
     def _noisy(self, velocity: Vector) -> Vector:
         scale = self.parameters.gaussian_noise
@@ -163,11 +162,11 @@ class P3d(Plugin[P3dParameters]):
         return (x, y, z)
 
 
-def _seen_from(frame: Placement, pose: Placement) -> Placement:
+def _seen_from(frame: Transform, pose: Transform) -> Transform:
     """A pose as Gazebo sees it from a frame: its rotations are the wrong way round, unless they commute."""
     back = conjugate(frame.rotation)
     position = rotate(back, _minus(pose.translation, frame.translation))
-    return Placement(position, multiply(pose.rotation, back))
+    return Transform(position, multiply(pose.rotation, back))
 
 
 def _minus(one: Vector, other: Vector) -> Vector:

@@ -10,11 +10,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from simkit.errors import near_names
+from simkit.geometry import Transform
 from simkit.plugins.errors import PluginError
 from simkit.plugins.parameters import place
 from simkit.plugins.site import Site
-from simkit.urdf.kinematics import Placement, compose, pose_transform
-from simkit.urdf.model import Pose
 from simkit.xml import Element
 
 _COMMON = ("pose", "update_rate", "always_on", "visualize", "topic", "plugin")
@@ -31,7 +30,7 @@ class SensorTag:
     """Its name."""
     link: str
     """Link that it is on; one that is simulated."""
-    pose: Placement
+    pose: Transform
     """T_link_sensor."""
     update_rate: float
     """Measurements per second; 0: one each step [Hz]."""
@@ -81,9 +80,9 @@ def read_sensor(site: Site, kind: str) -> SensorTag:
     )
 
 
-def sensor_pose(site: Site, tag: SensorTag) -> Placement:
+def sensor_pose(site: Site, tag: SensorTag) -> Transform:
     """T_world_sensor, now."""
-    return compose(site.model.link_pose(tag.link), tag.pose)
+    return site.model.link_pose(tag.link) @ tag.pose
 
 
 def read_number(
@@ -195,9 +194,9 @@ def _link(site: Site, element: Element, name: str) -> str:
     )
 
 
-def _pose(site: Site, element: Element | None) -> Placement:
+def _pose(site: Site, element: Element | None) -> Transform:
     if element is None:
-        return pose_transform(Pose())
+        return Transform()
     frame = element.get("relative_to") or element.get("frame") or site.link
     if frame != site.link:
         raise PluginError(
@@ -213,4 +212,4 @@ def _pose(site: Site, element: Element | None) -> Placement:
             f"{place(element, site)}: a <pose> is six numbers, x y z [m] roll pitch yaw [rad], "
             f"not {element.text.strip()!r}"
         )
-    return pose_transform(Pose((x, y, z), (roll, pitch, yaw)))
+    return Transform.from_rpy((x, y, z), (roll, pitch, yaw))

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import math
 
-from simkit.geometry import Quaternion, Vector
+from simkit.geometry import Quaternion, Vector, canonical, quaternion_from_rpy
 from simkit.plugins.errors import PluginError
 from simkit.plugins.naming import topic_of
 from simkit.plugins.parameters import place
 from simkit.plugins.site import Site
-from simkit.urdf.kinematics import pose_transform
-from simkit.urdf.model import Pose
 
 
 def read_triple(site: Site, name: str, text: str) -> Vector:
@@ -31,7 +29,7 @@ def read_triple(site: Site, name: str, text: str) -> Vector:
 
 def read_turn(site: Site, name: str, text: str) -> Quaternion:
     """The rotation that a tag of the plugin gives as roll, pitch, yaw [rad]: xyzw; see `read_triple`."""
-    return pose_transform(Pose((0.0, 0.0, 0.0), read_triple(site, name, text))).rotation
+    return canonical(quaternion_from_rpy(read_triple(site, name, text)))
 
 
 def topic_at_root(site: Site, tag: str, name: str) -> str:

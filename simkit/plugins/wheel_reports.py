@@ -11,7 +11,6 @@ from simkit.plugins.naming import resolve_frame
 from simkit.plugins.odometry import Frames, transform_message
 from simkit.plugins.site import Site
 from simkit.plugins.wheels import Wheel
-from simkit.urdf.kinematics import compose, inverse
 
 
 class WheelStates:
@@ -74,5 +73,5 @@ class WheelTransforms:
             parent=resolve_frame(plan.parent or "world", self._prefix),
             child=resolve_frame(plan.child, self._prefix),
         )
-        pose = compose(inverse(model.pose), model.link_pose(plan.child))
+        pose = model.pose.inverse() @ model.link_pose(plan.child)
         return transform_message(pose, frames, stamp)

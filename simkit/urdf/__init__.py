@@ -7,6 +7,7 @@ teacher would say about it. `load_robot` gives the robot, or one line that says 
 `simkit.urdf.kinematics` computes where the links are, for given positions of the joints.
 """
 
+from simkit.geometry import Vector
 from simkit.urdf.loading import UrdfError, load_robot, read_robot_file
 from simkit.urdf.model import (
     Box,
@@ -26,7 +27,6 @@ from simkit.urdf.model import (
     Robot,
     Safety,
     Sphere,
-    Vector,
     Visual,
 )
 from simkit.urdf.reading import Reading, read_robot

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from simkit.geometry import Vector
 from simkit.urdf.matrix import IDENTITY, Matrix, apply, product, rotation_matrix, transpose
-from simkit.urdf.model import Pose, Vector
+from simkit.urdf.model import Pose
 
 
 class Frame(NamedTuple):

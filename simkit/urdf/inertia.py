@@ -8,10 +8,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from simkit.geometry import Vector
 from simkit.record import Record
 from simkit.urdf.frame import Frame
 from simkit.urdf.matrix import Matrix, added, diagonal, eigenvalues, product, transpose
-from simkit.urdf.model import Box, Cylinder, Sphere, Vector
+from simkit.urdf.model import Box, Cylinder, Sphere
 from simkit.urdf.placed_shape import PlacedShape, Primitive, volume
 
 ROUNDED = 0.01

@@ -14,39 +14,24 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from simkit.errors import UnknownNameError
 from simkit.geometry import (
-    IDENTITY,
     ORIGIN,
-    Quaternion,
+    Transform,
     Vector,
     canonical,
-    conjugate,
     multiply,
+    quaternion_from_axis,
+    quaternion_from_rpy,
     rotate,
 )
 from simkit.urdf.loading import UrdfError
-from simkit.urdf.model import Joint, JointType, Pose, Robot
+from simkit.urdf.model import Joint, JointType, Robot
 from simkit.urdf.urdfdom.tree import children_by_link
 
 
-class Placement(NamedTuple):
-    """T_ab: where a frame b is in a frame a."""
-
-    translation: Vector
-    """Origin of b in a [m]."""
-    rotation: Quaternion
-    """Orientation of b in a, xyzw."""
-
-
-def pose_transform(pose: Pose) -> Placement:
-    """T_ab of a frame b that stands at a pose in a frame a."""
-    return Placement(pose.xyz, canonical(_rpy_quaternion(pose.rpy)))
-
-
-def joint_transform(joint: Joint, position: float) -> Placement:
+def joint_transform(joint: Joint, position: float) -> Transform:
     """T_parent_child of a joint.
 
     Args:
@@ -57,13 +42,16 @@ def joint_transform(joint: Joint, position: float) -> Placement:
         The transform; made of NaN if the position is not finite.
     """
     position = position if math.isfinite(position) else math.nan
-    (x, y, z), rotation = joint.origin.xyz, _rpy_quaternion(joint.origin.rpy)
+    (x, y, z), rotation = joint.origin.xyz, quaternion_from_rpy(joint.origin.rpy)
     if joint.type is JointType.PRISMATIC:
-        dx, dy, dz = rotate(rotation, _scaled(_unit(joint.axis), position))
-        return Placement((x + dx, y + dy, z + dz), canonical(rotation))
+        along = _unit(joint.axis)
+        dx, dy, dz = rotate(
+            rotation, (along[0] * position, along[1] * position, along[2] * position)
+        )
+        return Transform((x + dx, y + dy, z + dz), canonical(rotation))
     if joint.type in (JointType.REVOLUTE, JointType.CONTINUOUS):
-        rotation = multiply(rotation, _turn(_unit(joint.axis), position))
-    return Placement((x, y, z), canonical(rotation))
+        rotation = multiply(rotation, quaternion_from_axis(_unit(joint.axis), position))
+    return Transform((x, y, z), canonical(rotation))
 
 
 def joint_positions(robot: Robot, positions: Mapping[str, float]) -> dict[str, float]:
@@ -88,7 +76,7 @@ def joint_positions(robot: Robot, positions: Mapping[str, float]) -> dict[str, f
 
 def forward_kinematics(
     robot: Robot, positions: Mapping[str, float], *, frame: str | None = None
-) -> dict[str, Placement]:
+) -> dict[str, Transform]:
     """Where each link is.
 
     Args:
@@ -105,34 +93,21 @@ def forward_kinematics(
     """
     where = joint_positions(robot, positions)
     below = children_by_link(_upper_joints(robot))
-    found = {robot.root: Placement(ORIGIN, IDENTITY)}
+    found = {robot.root: Transform()}
     waiting = [robot.root]
     while waiting:
         link = waiting.pop()
         for joint in below.get(link, ()):
-            found[joint.child] = compose(found[link], joint_transform(joint, where[joint.name]))
+            found[joint.child] = (
+                found[link] @ joint_transform(joint, where[joint.name])
+            ).normalised()
             waiting.append(joint.child)
     if frame is None or frame == robot.root:
         return found
     if frame not in found:
         raise UnknownNameError("link", frame, found)
-    back = inverse(found[frame])
-    return {link: compose(back, placement) for link, placement in found.items()}
-
-
-def compose(outer: Placement, inner: Placement) -> Placement:
-    """T_ac = T_ab T_bc, for T_ab = `outer` and T_bc = `inner`."""
-    x, y, z = rotate(outer.rotation, inner.translation)
-    tx, ty, tz = outer.translation
-    return Placement(
-        (tx + x, ty + y, tz + z), _normalised(multiply(outer.rotation, inner.rotation))
-    )
-
-
-def inverse(placement: Placement) -> Placement:
-    """T_ba of T_ab."""
-    back = conjugate(placement.rotation)
-    return Placement(rotate(back, _scaled(placement.translation, -1.0)), back)
+    back = found[frame].inverse()
+    return {link: back @ transform for link, transform in found.items()}
 
 
 def _upper_joints(robot: Robot) -> dict[str, Joint]:
@@ -161,34 +136,6 @@ def _follow(robot: Robot, name: str, found: dict[str, float]) -> None:
             found[follower] = mimic.multiplier * found.get(mimic.joint, 0.0) + mimic.offset
 
 
-def _rpy_quaternion(rpy: Vector) -> Quaternion:
-    """Rz Ry Rx of roll, pitch, yaw about fixed axes."""
-    sin_r, sin_p, sin_y = (math.sin(angle / 2.0) for angle in rpy)
-    cos_r, cos_p, cos_y = (math.cos(angle / 2.0) for angle in rpy)
-    return (
-        sin_r * cos_p * cos_y - cos_r * sin_p * sin_y,
-        cos_r * sin_p * cos_y + sin_r * cos_p * sin_y,
-        cos_r * cos_p * sin_y - sin_r * sin_p * cos_y,
-        cos_r * cos_p * cos_y + sin_r * sin_p * sin_y,
-    )
-
-
-def _turn(axis: Vector, angle: float) -> Quaternion:
-    x, y, z = _scaled(axis, math.sin(angle / 2.0))
-    return (x, y, z, math.cos(angle / 2.0)) if any(axis) else IDENTITY
-
-
 def _unit(axis: Vector) -> Vector:
     length = math.hypot(*axis)
     return (axis[0] / length, axis[1] / length, axis[2] / length) if length > 0.0 else ORIGIN
-
-
-def _scaled(v: Vector, factor: float) -> Vector:
-    return (v[0] * factor, v[1] * factor, v[2] * factor)
-
-
-def _normalised(q: Quaternion) -> Quaternion:
-    """The same rotation at unit length: so a long chain does not drift."""
-    x, y, z, w = q
-    length = math.sqrt(x * x + y * y + z * z + w * w)
-    return (x / length, y / length, z / length, w / length)

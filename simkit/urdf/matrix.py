@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TypeAlias
 
-from simkit.urdf.model import Vector
+from simkit.geometry import Vector
 
 Matrix: TypeAlias = tuple[Vector, Vector, Vector]
 

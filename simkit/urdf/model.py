@@ -10,20 +10,25 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple, TypeAlias
 
+from simkit.geometry import Transform, Vector
 from simkit.record import Record
 from simkit.xml import Document, Element
 
-Vector: TypeAlias = tuple[float, float, float]
 Rgba: TypeAlias = tuple[float, float, float, float]
 
 
 class Pose(NamedTuple):
-    """Where something is in the frame of what it belongs to."""
+    """Where something is in the frame of what it belongs to, as an `<origin>` is written."""
 
     xyz: Vector = (0.0, 0.0, 0.0)
     """Its origin [m]."""
     rpy: Vector = (0.0, 0.0, 0.0)
     """Roll, pitch, yaw about the fixed axes x, y, z [rad]; R = Rz Ry Rx."""
+
+    @property
+    def transform(self) -> Transform:
+        """The same as a transform."""
+        return Transform.from_rpy(self.xyz, self.rpy)
 
 
 class Box(Record, kw_only=False):

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from typing import NamedTuple, TypeAlias
 
+from simkit.geometry import Vector
 from simkit.urdf.frame import Frame
 from simkit.urdf.matrix import apply, transpose
-from simkit.urdf.model import Box, Cylinder, Sphere, Vector
+from simkit.urdf.model import Box, Cylinder, Sphere
 
 Primitive: TypeAlias = Box | Cylinder | Sphere
 """A shape with a formula; a cylinder stands along z."""

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 
-from simkit.urdf.model import Joint, JointType, Pose, Robot, Vector
+from simkit.geometry import Vector
+from simkit.urdf.model import Joint, JointType, Pose, Robot
 from simkit.urdf.urdfdom.tree import children_by_link
 
 _AXES = {(1.0, 0.0, 0.0): "x", (0.0, 1.0, 0.0): "y", (0.0, 0.0, 1.0): "z"}

@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterable
 from typing import TypeVar
 
+from simkit.geometry import Vector
 from simkit.urdf.frame import Frame
 from simkit.urdf.matrix import apply
-from simkit.urdf.model import Cylinder, Sphere, Vector
+from simkit.urdf.model import Cylinder, Sphere
 
 ASKEW = math.radians(2.0)
 """By so much the axis of a wheel may be off that of its joint: numbers like 1.57 are rounded [rad]."""

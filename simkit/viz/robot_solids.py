@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from simkit.urdf import Box, Collision, Geometry, Link, Material, Mesh, Robot, Visual
-from simkit.urdf.kinematics import pose_transform
 from simkit.urdf.mesh_file import MeshError
 from simkit.viz.letters import shortened
 from simkit.viz.mesh_file import read_mesh
@@ -117,7 +116,7 @@ def part_solid(
     shape = _shape(link, part.geometry, notes)
     if isinstance(part.geometry, Mesh) and isinstance(shape, Box):
         color, alpha = MISSING, min(alpha, 0.6)
-    translation, rotation = pose_transform(part.origin)
+    translation, rotation = part.origin.transform
     _, half = half_extents(shape)
     if not max(map(abs, (*translation, *half))) < _FAR or not all(map(math.isfinite, rotation)):
         notes.append(

@@ -8,9 +8,7 @@ from simkit.errors import SimkitError
 from simkit.gazebo.poses import placement_of, pose_message, twist_message, vector_of
 from simkit.gazebo.server import Gazebo
 from simkit.gazebo.services.service import Service, link_of
-from simkit.gazebo.turning import turned, turned_back
-from simkit.physics import ORIGIN
-from simkit.urdf.kinematics import Placement, compose, inverse
+from simkit.geometry import Transform
 
 
 def services(gazebo: Gazebo) -> list[Service]:
@@ -22,8 +20,8 @@ def services(gazebo: Gazebo) -> list[Service]:
         linear, angular = model.link_twist(link)
         state = response.link_state
         state.link_name = request.link_name
-        state.pose = pose_message(compose(inverse(frame), model.link_pose(link)))
-        state.twist = twist_message((turned_back(frame, linear), turned_back(frame, angular)))
+        state.pose = pose_message(frame.inverse() @ model.link_pose(link))
+        state.twist = twist_message((frame.rotate_back(linear), frame.rotate_back(angular)))
         state.reference_frame = request.reference_frame
         return "GetLinkState: got state"
 
@@ -34,7 +32,7 @@ def services(gazebo: Gazebo) -> list[Service]:
             raise SimkitError(f"GetLinkProperties: {link} is a part of {mount}, ask for that one")
         plan = model.plan.bodies[link]
         body = plan.body
-        response.com = pose_message(Placement(body.centre, ORIGIN.rotation))
+        response.com = pose_message(Transform(body.centre))
         response.gravity_mode = plan.gravity
         response.mass = body.mass
         tensor = body.tensor
@@ -53,11 +51,11 @@ def services(gazebo: Gazebo) -> list[Service]:
                 f"the link {root}, which carries all of {model.name}"
             )
         frame = gazebo.frame(state.reference_frame)
-        there = compose(frame, placement_of(state.pose))
-        model.set_pose(compose(there, compose(inverse(model.link_pose(link)), model.pose)))
+        there = frame @ placement_of(state.pose)
+        model.set_pose(there @ (model.link_pose(link).inverse() @ model.pose))
         model.set_twist(
-            turned(frame, vector_of(state.twist.linear)),
-            turned(frame, vector_of(state.twist.angular)),
+            frame.rotate(vector_of(state.twist.linear)),
+            frame.rotate(vector_of(state.twist.angular)),
         )
         return "SetLinkState: success"
 

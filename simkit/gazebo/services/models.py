@@ -9,10 +9,7 @@ from simkit.errors import SimkitError
 from simkit.gazebo.poses import placement_of, pose_message, twist_message, vector_of
 from simkit.gazebo.server import Gazebo
 from simkit.gazebo.services.service import Service, model_of
-from simkit.gazebo.turning import turned, turned_back
 from simkit.physics import JointKind, Model, ModelJoint
-from simkit.physics.poses import then
-from simkit.urdf.kinematics import compose, inverse
 
 _REVOLUTE, _CONTINUOUS, _PRISMATIC = 0, 1, 2
 
@@ -26,8 +23,8 @@ def services(gazebo: Gazebo) -> list[Service]:
         linear, angular = model.twist
         response.header.stamp = gazebo.node.now()
         response.header.frame_id = request.relative_entity_name
-        response.pose = pose_message(compose(inverse(frame), model.pose))
-        response.twist = twist_message((turned_back(frame, linear), turned_back(frame, angular)))
+        response.pose = pose_message(frame.inverse() @ model.pose)
+        response.twist = twist_message((frame.rotate_back(linear), frame.rotate_back(angular)))
         return "GetModelState: got properties"
 
     def set_state(request: Any, _response: Any) -> str:
@@ -93,9 +90,9 @@ def set_model_state(gazebo: Gazebo, state: Any) -> None:
     """
     model = model_of(gazebo, state.model_name, "SetModelState")
     frame = gazebo.frame(state.reference_frame)
-    model.set_pose(then(frame, placement_of(state.pose)))
+    model.set_pose(frame @ placement_of(state.pose))
     model.set_twist(
-        turned(frame, vector_of(state.twist.linear)), turned(frame, vector_of(state.twist.angular))
+        frame.rotate(vector_of(state.twist.linear)), frame.rotate(vector_of(state.twist.angular))
     )
 
 

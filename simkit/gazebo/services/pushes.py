@@ -13,10 +13,6 @@ from simkit.gazebo.poses import vector_of
 from simkit.gazebo.server import Gazebo
 from simkit.gazebo.services.models import joint_of
 from simkit.gazebo.services.service import Service, link_of
-from simkit.gazebo.turning import turned
-from simkit.urdf.kinematics import Placement, compose, inverse
-
-_STILL = (0.0, 0.0, 0.0, 1.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -71,10 +67,10 @@ def services(gazebo: Gazebo) -> list[Service]:
     def push_body(request: Any, _response: Any) -> str:
         model, link = link_of(gazebo, request.body_name, "ApplyBodyWrench")
         frame = gazebo.frame(request.reference_frame)
-        force = turned(frame, vector_of(request.wrench.force))
-        torque = turned(frame, vector_of(request.wrench.torque))
-        here = compose(frame, Placement(vector_of(request.reference_point), _STILL))
-        point = compose(inverse(model.link_pose(link)), here).translation
+        force = frame.rotate(vector_of(request.wrench.force))
+        torque = frame.rotate(vector_of(request.wrench.torque))
+        here = frame.apply(vector_of(request.reference_point))
+        point = model.link_pose(link).inverse().apply(here)
         if not request.reference_frame:
             point = (0.0, 0.0, 0.0)  # said in no frame: at the link itself
         start, end = _span(gazebo, request)

@@ -9,7 +9,7 @@ from typing import Any
 from simkit.geometry import Quaternion, Vector
 from simkit.msgs import Time, message_class
 from simkit.urdf import Joint, JointType, Robot
-from simkit.urdf.kinematics import joint_transform, pose_transform
+from simkit.urdf.kinematics import joint_transform
 
 ROOT_INERTIA = (
     "The root link {root} has an inertia specified in the URDF, but KDL does not support a root "
@@ -29,7 +29,7 @@ class Segment:
         """Where the link is in its parent, for a position of the joint [rad or m]."""
         if self.joint.moves:
             return joint_transform(self.joint, position)
-        return pose_transform(self.joint.origin)
+        return self.joint.origin.transform
 
     def message(self, position: float, stamp: Time, prefix: str) -> Any:
         """The geometry_msgs/TransformStamped.

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from simkit.diagnostics import Diagnostic
+from simkit.geometry import Vector
 from simkit.physics.plan import Plane
-from simkit.urdf.model import Box, Cylinder, Inertial, Mesh, Pose, Rgba, Sphere, Vector
+from simkit.urdf.model import Box, Cylinder, Inertial, Mesh, Pose, Rgba, Sphere
 from simkit.xml import Element
 
 HERE = Pose()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from simkit.geometry import Vector
 from simkit.physics.bodies import NO_MASS, check_numbers, check_pose, sound
 from simkit.physics.errors import ModelError
 from simkit.physics.plan import (
@@ -20,7 +21,7 @@ from simkit.physics.solids import PLACEHOLDER, unit, with_solid
 from simkit.urdf.frame import Frame
 from simkit.urdf.inertia import Body, placed
 from simkit.urdf.matrix import apply, transpose
-from simkit.urdf.model import Inertial, Vector
+from simkit.urdf.model import Inertial
 
 _KINDS = {
     "fixed": JointKind.FIXED,

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
-from simkit.urdf.model import Vector
+from simkit.geometry import Vector
 from simkit.urdf.rules.entries import JointEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.values import number_text, numbers_text

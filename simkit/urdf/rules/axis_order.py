@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import itertools
 
+from simkit.geometry import Vector
 from simkit.urdf.frame import Frame
 from simkit.urdf.inertia import shape_tensor, turned
 from simkit.urdf.matrix import Matrix, product, rotation_matrix, transpose
-from simkit.urdf.model import Vector
 from simkit.urdf.rules.bodies import frame_of, solid, tensor_of
 from simkit.urdf.rules.entries import LinkEntry
 from simkit.urdf.rules.paste import tensor_text, triple

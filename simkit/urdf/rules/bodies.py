@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from simkit.geometry import Vector
 from simkit.urdf.frame import Frame
 from simkit.urdf.inertia import body_of_shapes, turned
 from simkit.urdf.matrix import Matrix, transpose
-from simkit.urdf.model import Mesh, Pose, Vector
+from simkit.urdf.model import Mesh, Pose
 from simkit.urdf.placed_shape import PlacedShape, is_sound
 from simkit.urdf.rules.entries import BodyEntry, InertialEntry, LinkEntry, OriginEntry
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from simkit.geometry import Vector
 from simkit.urdf.frame import Frame
 from simkit.urdf.matrix import apply
-from simkit.urdf.model import Vector
 from simkit.urdf.rules.entries import JointEntry, PluginEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.tree_facts import is_whole

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from simkit.urdf.model import Geometry, Rgba, Vector
+from simkit.geometry import Vector
+from simkit.urdf.model import Geometry, Rgba
 from simkit.xml import Element
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from simkit.geometry import Vector
 from simkit.urdf.inertia import Body, body_of_shapes, turned
 from simkit.urdf.matrix import Matrix, rotation_matrix, transpose
-from simkit.urdf.model import Vector
 from simkit.urdf.placed_shape import PlacedShape
 from simkit.urdf.rules.entries import OriginEntry
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from simkit.urdf.model import Box, Cylinder, Geometry, Mesh, Sphere, Vector
+from simkit.geometry import Vector
+from simkit.urdf.model import Box, Cylinder, Geometry, Mesh, Sphere
 from simkit.urdf.rules.entries import (
     BodyEntry,
     GazeboEntry,

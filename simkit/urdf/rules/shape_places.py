@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from simkit.diagnostics import Find, Severity, rule
-from simkit.urdf.model import Vector
+from simkit.geometry import Vector
 from simkit.urdf.placed_shape import PlacedShape, extent
 from simkit.urdf.rules.bodies import centre_of_mass, outline, placed_shape
 from simkit.urdf.rules.entries import BodyEntry, LinkEntry

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from simkit.urdf.model import Rgba, Vector
+from simkit.geometry import Vector
+from simkit.urdf.model import Rgba
 from simkit.urdf.urdfdom.numbers import to_double
 
 _SHOWN_LETTERS = 60

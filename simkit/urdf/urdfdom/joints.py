@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from simkit.urdf.model import Joint, JointType, Limit, Mimic, Pose, Safety, Vector
+from simkit.geometry import Vector
+from simkit.urdf.model import Joint, JointType, Limit, Mimic, Pose, Safety
 from simkit.urdf.urdfdom.log import Log
 from simkit.urdf.urdfdom.numbers import MalformedError, number_of, origin_of, to_vector
 from simkit.xml import Element

@@ -8,7 +8,8 @@ from __future__ import annotations
 import math
 import re
 
-from simkit.urdf.model import Pose, Rgba, Vector
+from simkit.geometry import Vector
+from simkit.urdf.model import Pose, Rgba
 from simkit.xml import Element
 
 _NUMBER = re.compile(r"[\t-\r ]*[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")

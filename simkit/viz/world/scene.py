@@ -7,10 +7,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from simkit.geometry import IDENTITY, Vector, rotate
+from simkit.geometry import IDENTITY, Transform, Vector, rotate
 from simkit.physics import Model
 from simkit.urdf import Box
-from simkit.urdf.kinematics import Placement, compose
 from simkit.viz.camera import fitted
 from simkit.viz.marks import Marks
 from simkit.viz.scene import PlacedSolid, Scene, Window, corners
@@ -167,7 +166,7 @@ def ground_solid(ground: Ground, model: Model, stage: Stage) -> Solid:
         model: Its model.
         stage: What is seen.
     """
-    at = compose(model.link_pose(ground.link), Placement(ground.translation, ground.rotation))
+    at = model.link_pose(ground.link) @ Transform(ground.translation, ground.rotation)
     normal = rotate(at.rotation, (0.0, 0.0, 1.0))
     (x0, x1), (y0, y1) = (
         (stage.cell * first, stage.cell * last) for first, last in (stage.grid_x, stage.grid_y)

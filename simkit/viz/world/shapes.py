@@ -6,11 +6,17 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Final
 
-from simkit.geometry import Quaternion, Vector, multiply, quaternion_from_matrix, quaternion_from_z
+from simkit.geometry import (
+    Quaternion,
+    Transform,
+    Vector,
+    multiply,
+    quaternion_from_matrix,
+    quaternion_from_z,
+)
 from simkit.physics import Plane
 from simkit.physics.sdf import SdfModel
 from simkit.urdf import Collision, Robot, Visual
-from simkit.urdf.kinematics import Placement, compose, pose_transform
 from simkit.viz.robot_solids import painted, part_solid
 from simkit.viz.solid import Color, Role, Solid
 from simkit.viz.world.colors import GREY, gazebo_color
@@ -116,9 +122,7 @@ def _of_sdf(model: SdfModel, grounds: list[Ground], notes: list[str]) -> Iterato
                 red, green, blue, alpha = (min(max(value, 0.0), 1.0) for value in visual.rgba)
                 color = (red, green, blue)
             if isinstance(visual.geometry, Plane):
-                translation, rotation = compose(
-                    pose_transform(visual.pose), _upright(visual.geometry)
-                )
+                translation, rotation = visual.pose.transform @ _upright(visual.geometry)
                 grounds.append(
                     Ground(link=link.name, translation=translation, rotation=rotation, color=color)
                 )
@@ -131,8 +135,8 @@ def _of_sdf(model: SdfModel, grounds: list[Ground], notes: list[str]) -> Iterato
                 yield from part_solid(link.name, touched, TOUCHED, TOUCHED_ALPHA, notes)
 
 
-def _upright(plane: Plane) -> Placement:
-    return Placement((0.0, 0.0, 0.0), quaternion_from_z(plane.normal))
+def _upright(plane: Plane) -> Transform:
+    return Transform((0.0, 0.0, 0.0), quaternion_from_z(plane.normal))
 
 
 def _of_plan(thing: Thing, grounds: list[Ground]) -> Iterator[Solid]:

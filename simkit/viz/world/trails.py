@@ -9,8 +9,7 @@ from itertools import pairwise
 from typing import Any, Final
 
 from simkit.errors import UnknownNameError
-from simkit.geometry import Vector
-from simkit.urdf.kinematics import Placement, compose, inverse
+from simkit.geometry import Transform, Vector
 from simkit.viz.marks import Marks
 from simkit.viz.thinning import Row
 from simkit.viz.topics.topic_marks import Shown
@@ -85,9 +84,7 @@ def odometry_ways(tape: WorldTape, recording: RecordedTopics) -> Iterator[Way]:
             start = _start(tape, rows[0], getattr(first, "child_frame_id", ""))
             yield Way(
                 label=f"Odometry {topic}",
-                places=tuple(
-                    (row[0], compose(start, _pose(row)).translation) for row in _seldom(rows)
-                ),
+                places=tuple((row[0], (start @ _pose(row)).translation) for row in _seldom(rows)),
             )
 
 
@@ -123,19 +120,19 @@ def _row(time: float, message: Any) -> Row | None:
     return (time, p.x, p.y, p.z, q.x / length, q.y / length, q.z / length, q.w / length)
 
 
-def _start(tape: WorldTape, first: Row, child: str) -> Placement:
+def _start(tape: WorldTape, first: Row, child: str) -> Transform:
     """Where the frame of an odometry is in the world: its first pose is that of its link."""
     for track in tape.tracks:
         link = f"{track.actor.name}::{child.strip('/')}"
         before = [row for row in track.links.get(link, ()) if row[0] <= first[0] + 1e-9]
         if before:
-            return compose(_pose(before[-1]), inverse(_pose(first)))
-    return Placement((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+            return _pose(before[-1]) @ _pose(first).inverse()
+    return Transform((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
 
 
-def _pose(row: Row) -> Placement:
+def _pose(row: Row) -> Transform:
     _, x, y, z, a, b, c, d = row
-    return Placement((x, y, z), (a, b, c, d))
+    return Transform((x, y, z), (a, b, c, d))
 
 
 def _seldom(rows: Sequence[Row]) -> list[Row]:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from simkit import Simulation
-from simkit.urdf import Pose
-from simkit.urdf.kinematics import pose_transform
+from simkit.geometry import Transform
 
 BALL = """<robot name="ball"><link name="ball">
   <inertial><mass value="1"/><inertia ixx="0.004" iyy="0.004" izz="0.004" ixy="0" ixz="0" iyz="0"/></inertial>
@@ -33,4 +32,4 @@ def gazebo(sim):
 
 def at(x=0.0, y=0.0, z=0.0, yaw=0.0):
     """A placement."""
-    return pose_transform(Pose(xyz=(x, y, z), rpy=(0.0, 0.0, yaw)))
+    return Transform.from_rpy((x, y, z), (0.0, 0.0, yaw))

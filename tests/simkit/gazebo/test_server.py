@@ -8,8 +8,7 @@ import pytest
 
 from simkit import SimkitError, Simulation
 from simkit.gazebo import SpawnError
-from simkit.urdf import Pose
-from simkit.urdf.kinematics import pose_transform
+from simkit.geometry import Transform
 
 BALL = """<robot name="ball"><link name="ball">
   <inertial><mass value="1"/><inertia ixx="0.004" iyy="0.004" izz="0.004" ixy="0" ixz="0" iyz="0"/></inertial>
@@ -19,7 +18,7 @@ EMPTY = '<robot name="empty"><link name="base"/></robot>'
 
 
 def at(x=0.0, y=0.0, z=0.0):
-    return pose_transform(Pose(xyz=(x, y, z)))
+    return Transform((x, y, z))
 
 
 def texts(sim):

@@ -5,9 +5,8 @@ from __future__ import annotations
 import pytest
 
 from simkit.gazebo.services import links, models, pushes, spawning, worlds
+from simkit.geometry import Transform
 from simkit.msgs import Duration, message_class
-from simkit.urdf import Pose
-from simkit.urdf.kinematics import pose_transform
 
 BALL = """<robot name="ball"><link name="ball">
   <inertial><mass value="2"/><inertia ixx="0.004" iyy="0.004" izz="0.004" ixy="0" ixz="0" iyz="0"/></inertial>
@@ -22,7 +21,7 @@ WHEEL = """<robot name="wheel"><link name="world"/><link name="wheel">
 @pytest.fixture
 def ball(gazebo):
     """A ball in the air."""
-    pose = pose_transform(Pose(xyz=(0.0, 0.0, 5.0), rpy=(0.0, 0.0, 0.0)))
+    pose = Transform((0.0, 0.0, 5.0))
     return gazebo.spawn_urdf(BALL, name="ball", pose=pose).model
 
 

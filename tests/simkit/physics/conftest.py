@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from simkit.geometry import Transform
 from simkit.physics import ModelPlan, NoEngineError, World, plan_robot
 from simkit.urdf import load_robot
-from simkit.urdf.kinematics import Placement
 
 ROBOTS = Path(__file__).parent / "robots"
 SECOND = 1_000_000_000
@@ -94,12 +94,12 @@ def new_world() -> Callable[..., World]:
 
 
 @pytest.fixture
-def at() -> Callable[..., Placement]:
+def at() -> Callable[..., Transform]:
     """Makes a pose of a place and an angle about an axis."""
 
-    def make(x=0.0, y=0.0, z=0.0, *, angle=0.0, axis=(0.0, 0.0, 1.0)) -> Placement:
+    def make(x=0.0, y=0.0, z=0.0, *, angle=0.0, axis=(0.0, 0.0, 1.0)) -> Transform:
         s, length = math.sin(angle / 2), math.hypot(*axis)
         turn = (s * axis[0] / length, s * axis[1] / length, s * axis[2] / length)
-        return Placement((x, y, z), (*turn, math.cos(angle / 2)))
+        return Transform((x, y, z), (*turn, math.cos(angle / 2)))
 
     return make

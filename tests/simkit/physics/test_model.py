@@ -7,9 +7,10 @@ import math
 import pytest
 
 from simkit.errors import UnknownNameError
+from simkit.geometry import Transform
 from simkit.physics import PhysicsError
 from simkit.urdf import load_robot
-from simkit.urdf.kinematics import Placement, compose, forward_kinematics
+from simkit.urdf.kinematics import forward_kinematics
 
 SECOND = 1_000_000_000
 
@@ -32,7 +33,7 @@ def test_links_are_where_forward_kinematics_says(new_world, robot_plan, at):
     arm.set_joint_positions({"hip": 0.4, "shoulder": -1.1})
     expected = forward_kinematics(load_robot(text, file="arm.urdf"), {"hip": 0.4, "shoulder": -1.1})
     for link in arm.links:
-        assert same(arm.link_pose(link), compose(pose, expected[link]))
+        assert same(arm.link_pose(link), pose @ expected[link])
 
 
 def test_lumped_links_are_where_they_belong(new_world, robot_plan, at):
@@ -148,7 +149,7 @@ def test_a_model_without_a_body_is_there(new_world, plan_text, at):
 
 
 @pytest.mark.parametrize(
-    "pose", [Placement((math.nan, 0, 0), (0, 0, 0, 1)), Placement((0.0, 0, 0), (0, 0, 0, 0))]
+    "pose", [Transform((math.nan, 0, 0), (0, 0, 0, 1)), Transform((0.0, 0, 0), (0, 0, 0, 0))]
 )
 def test_a_pose_that_is_none_is_refused(new_world, robot_plan, pose):
     world = new_world()

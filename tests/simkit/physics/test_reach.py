@@ -9,11 +9,11 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from simkit.geometry import Transform
 from simkit.physics import World, plan_robot
 from simkit.physics.poses import frame_of
 from simkit.physics.reach import Region, reaches
 from simkit.urdf import load_robot
-from simkit.urdf.kinematics import Placement
 
 angles = st.floats(-math.pi, math.pi)
 lengths = st.floats(-0.5, 0.5)
@@ -66,7 +66,7 @@ def inside(region: Region, point, radius: float) -> bool:
 @given(links, places, st.randoms(use_true_random=False))
 def test_shapes_stay_in_their_regions(parts, place, random):
     world = World(ground=False)
-    base = Placement(place, (0.0, 0.6, 0.0, 0.8))
+    base = Transform(place, (0.0, 0.6, 0.0, 0.8))
     model = world.add(plan_robot(load_robot(chain(parts), file="chain.urdf")), pose=base)
     found = {
         f"chain::{body}::{number}": reach
@@ -93,7 +93,7 @@ def test_what_cannot_move_is_still_and_what_is_loose_can_be_anywhere(robot_plan)
     assert all(math.isinf(reach.region.radius) and not reach.is_still for reach in car)
 
 
-HERE = Placement((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+HERE = Transform((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
 
 
 @pytest.mark.parametrize(

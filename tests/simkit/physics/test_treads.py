@@ -8,11 +8,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from simkit.geometry import Transform
 from simkit.physics import JointKind, JointPlan, ShapePlan, World, plan_robot
 from simkit.physics.treads import WIDTH, contact_solid
 from simkit.urdf import Box, Cylinder, Pose, load_robot
 from simkit.urdf.frame import Frame
-from simkit.urdf.kinematics import Placement
 
 LYING = Frame.of(Pose(rpy=(math.pi / 2, 0.0, 0.0)))
 JOINT = JointPlan(
@@ -77,7 +77,7 @@ def cart(width):
     )
     world = World()
     plan = plan_robot(load_robot(CART.format(left=left, right=right), file="cart"))
-    return world, world.add(plan, pose=Placement((0.0, 0.0, 0.1), (0.0, 0.0, 0.0, 1.0)))
+    return world, world.add(plan, pose=Transform((0.0, 0.0, 0.1), (0.0, 0.0, 0.0, 1.0)))
 
 
 @pytest.mark.parametrize("width", [0.01, 0.04, 0.08])

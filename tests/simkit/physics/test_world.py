@@ -142,11 +142,10 @@ import hashlib, struct
 from pathlib import Path
 from simkit.physics import World, plan_robot
 from simkit.urdf import load_robot
-from simkit.urdf.kinematics import Placement
 world = World()
 for name in ("car", "m2wr", "arm"):
     text = (Path({folder!r}) / f"{{name}}.urdf").read_text()
-    world.add(plan_robot(load_robot(text, file=name)), name=name, pose=Placement((0.1, 0, 0.5), (0, 0, 0, 1)))
+    world.add(plan_robot(load_robot(text, file=name)), name=name, pose=Transform((0.1, 0, 0.5), (0, 0, 0, 1)))
 world.run(800_000_000)
 numbers = [x for m in world.models.values() for l in m.links for x in (*m.link_pose(l)[0], *m.link_pose(l)[1])]
 print(hashlib.sha256(struct.pack(f"{{len(numbers)}}d", *numbers)).hexdigest())

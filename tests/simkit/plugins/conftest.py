@@ -8,12 +8,11 @@ import pytest
 
 from simkit.gazebo import Gazebo
 from simkit.gazebo.worlds import find_world
+from simkit.geometry import Transform
 from simkit.graph import Executor, Graph, LogLevel
 from simkit.msgs import message_class
 from simkit.packages import PackagePath
 from simkit.physics import NoEngineError
-from simkit.urdf.kinematics import Placement, pose_transform
-from simkit.urdf.model import Pose
 
 
 class Stage:
@@ -27,7 +26,7 @@ class Stage:
         )
         self.listener = self.graph.create_node("/listener")
 
-    def spawn(self, inside: str, *, name: str = "r", pose: Placement | None = None, **options):
+    def spawn(self, inside: str, *, name: str = "r", pose: Transform | None = None, **options):
         """A robot of what stands in its `<robot>`."""
         return self.gazebo.spawn_urdf(
             f'<robot name="{name}">{inside}</robot>',
@@ -38,9 +37,9 @@ class Stage:
         )
 
     @staticmethod
-    def at(x=0.0, y=0.0, z=0.0, roll=0.0, pitch=0.0, yaw=0.0) -> Placement:
+    def at(x=0.0, y=0.0, z=0.0, roll=0.0, pitch=0.0, yaw=0.0) -> Transform:
         """A pose."""
-        return pose_transform(Pose((x, y, z), (roll, pitch, yaw)))
+        return Transform.from_rpy((x, y, z), (roll, pitch, yaw))
 
     def listen(self, topic: str, kind: str) -> list[Any]:
         """The messages of a topic, from now on."""

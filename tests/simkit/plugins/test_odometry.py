@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from simkit.geometry import roll_pitch_yaw
+from simkit.geometry import Transform, roll_pitch_yaw
 from simkit.msgs import Time
 from simkit.plugins.odometry import (
     UNKNOWN,
@@ -18,10 +18,9 @@ from simkit.plugins.odometry import (
     transform_message,
     world_motion,
 )
-from simkit.urdf.kinematics import Placement
 
 FRAMES = Frames(parent="odom", child="base")
-POSE = Placement((1.0, 2.0, 3.0), (0.0, 0.0, 0.6, 0.8))
+POSE = Transform((1.0, 2.0, 3.0), (0.0, 0.0, 0.6, 0.8))
 
 
 def test_a_covariance_has_its_variances_in_the_diagonal():

@@ -14,14 +14,7 @@ from pytransform3d.urdf import UrdfTransformManager
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.tf.transformations import quaternion_matrix
 from simkit.urdf import Pose, UrdfError, load_robot
-from simkit.urdf.kinematics import (
-    compose,
-    forward_kinematics,
-    inverse,
-    joint_positions,
-    joint_transform,
-    pose_transform,
-)
+from simkit.urdf.kinematics import forward_kinematics, joint_positions, joint_transform
 
 SETTINGS = settings(max_examples=25, derandomize=True, database=None, deadline=None)
 TYPES = ("fixed", "revolute", "continuous", "prismatic")
@@ -85,13 +78,13 @@ def test_an_independent_library_agrees_on_random_trees(seed):
 def test_composition_and_inverse(seed):
     rng = random.Random(seed)
     a, b, c = (
-        pose_transform(Pose(*[tuple(rng.uniform(-4, 4) for _ in range(3)) for _ in range(2)]))
+        Pose(*[tuple(rng.uniform(-4, 4) for _ in range(3)) for _ in range(2)]).transform
         for _ in range(3)
     )
-    identity = matrix(compose(a, inverse(a)))
+    identity = matrix(a @ a.inverse())
     assert np.allclose(identity, np.eye(4), atol=1e-12)
-    assert np.allclose(matrix(compose(a, b)), matrix(a) @ matrix(b), atol=1e-12)
-    left, right = compose(compose(a, b), c), compose(a, compose(b, c))
+    assert np.allclose(matrix(a @ b), matrix(a) @ matrix(b), atol=1e-12)
+    left, right = a @ b @ c, a @ (b @ c)
     assert np.allclose(matrix(left), matrix(right), atol=1e-12)
 
 
@@ -104,7 +97,7 @@ def test_every_frame_sees_the_same_robot(robots):
         seen = forward_kinematics(robot, positions, frame=frame)
         assert list(seen) == ["world", "base_link", "torso", "upper_arm"]
         for link in robot.links:
-            there = compose(from_root[frame], seen[link])
+            there = from_root[frame] @ seen[link]
             assert np.allclose(matrix(there), matrix(from_root[link]), atol=1e-12)
 
 
@@ -152,7 +145,7 @@ def test_without_an_axis_it_is_x_and_an_axis_of_zeros_moves_nothing(robot):
 @pytest.mark.parametrize("type_", ["fixed", "floating", "planar"])
 def test_joints_without_one_number_stand_at_their_origin(robot, type_):
     joint = one_joint(robot, type_, '<origin xyz="1 2 3" rpy="0 0 1"/>')
-    assert joint_transform(joint, 0.8) == pose_transform(joint.origin)
+    assert joint_transform(joint, 0.8) == joint.origin.transform
 
 
 def test_signs_are_those_of_a_rotation_matrix(robot):

@@ -206,12 +206,11 @@ def test_a_file_on_disk(tmp_path):
 
 
 def test_a_world_runs_as_it_is_written(new_world):
-    from simkit.urdf.kinematics import pose_transform
 
     found = world("<include><uri>model://ground_plane</uri></include>" + CRATE)
     simulated = new_world(ground=False, gravity=found.gravity, step_ns=found.step_ns)
     for model in found.models:
-        simulated.add(plan_model(model), name=model.name, pose=pose_transform(model.pose))
+        simulated.add(plan_model(model), name=model.name, pose=model.pose.transform)
     simulated.run(2_000_000_000)
     crate = simulated.model("crate")
     assert crate.pose.translation == pytest.approx((1.0, 2.0, 0.5), abs=1e-4)
