@@ -123,11 +123,8 @@ class Launching:
     def _check_robots(self, plan: LaunchPlan, launch: Launch) -> None:
         from simkit.launch import robot_lines
 
-        for text, lines in robot_lines(plan, self.packages).items():
-            if text not in self.graph.told:
-                self.graph.told.add(text)
-                for line in lines:
-                    launch.say(line)
+        for line in robot_lines(plan, self.packages, self.graph):
+            launch.say(line)
 
 
 class _Anonymous:

@@ -18,7 +18,7 @@ from simkit.graph import Node
 from simkit.packages import PackagePath
 from simkit.physics import ORIGIN, LostModelError, Model, ModelPlan, World, plan_robot
 from simkit.physics.sdf import ModelLibrary, SdfModel, SdfWorld, plan_model, read_model_text
-from simkit.urdf import load_robot
+from simkit.urdf import load_robot, read_robot
 from simkit.urdf.rules.brief import brief_lines
 
 WORLD_FRAMES = ("", "world", "map", "/map")
@@ -209,12 +209,10 @@ class Gazebo:
 
     def _tell_faults(self, text: str, file: str) -> None:
         """Say what check_urdf finds, once for each text."""
-        told = self.node.graph.told
-        if text in told:
-            return
-        told.add(text)
-        for line in brief_lines(text, file, self.packages, is_file=False):
-            self.node.warn(line)
+        reading = read_robot(text, file=file, packages=self.packages)
+        if reading.is_first_report_to(self.node.graph):
+            for line in brief_lines(reading, is_file=False):
+                self.node.warn(line)
 
     def _add(self, plan: ModelPlan, name: str, pose: Transform) -> Model:
         try:

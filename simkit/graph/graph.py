@@ -42,7 +42,6 @@ class Graph:
     Attributes:
         muted: Nodes of which the screen shows warnings and errors only, and what to call when something was not shown.
         departures: What to call when a node has left the graph.
-        told: Texts of robots whose faults were told already: nobody tells them again.
     """
 
     def __init__(self, executor: Executor, screen: Screen | None = None, *, seed: int = 0) -> None:
@@ -57,7 +56,6 @@ class Graph:
         self.screen = screen
         self.muted: dict[str, Callable[[], None]] = {}
         self.departures: list[Callable[[], None]] = []
-        self.told: set[str] = set()
 
     def now(self) -> Time:
         """Virtual time."""

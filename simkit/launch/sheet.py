@@ -1,18 +1,16 @@
-"""One launch file as XML: with expat's verdict, which is roslaunch's, and places from our own parser."""
+"""One launch file as XML, and what roslaunch says if it is none: the words of expat."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from xml.parsers import expat
 
 from simkit.launch.refusal import Kind, Lesson, Place, Refused
 from simkit.launch.rules import SYNTAX
 from simkit.xml import Document, Element, Fault, FaultKind, Span, parse_xml
+from simkit.xml.expat_words import words_of_expat
 
 _ROOT = "Invalid roslaunch XML syntax: no root <launch> tag"
-_REFUSED_UNSEEN = (FaultKind.ENTITY, FaultKind.TOO_DEEP)
-"""What expat must not even see."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -62,9 +60,7 @@ def read_sheet(
     """
     document = parse_xml(data, file=shown)
     sheet = Sheet(name=name, document=document, data=data, included_at=included_at)
-    words = None
-    if not any(fault.kind in _REFUSED_UNSEEN for fault in document.faults):
-        words = _verdict_of_expat(data)
+    words = words_of_expat(document)
     if document.faults or words is not None:
         raise _not_xml(sheet, words)
     assert document.root is not None
@@ -74,19 +70,6 @@ def read_sheet(
             Place(sheet=sheet, span=(found[1] if found else document.root).span)
         )
     return sheet, found[0]
-
-
-def _verdict_of_expat(data: bytes) -> str | None:
-    """What expat says of a text that it refuses."""
-    parser = expat.ParserCreate(namespace_separator=" ")
-    parser.namespace_prefixes = True
-    try:
-        parser.Parse(data, True)
-    except expat.ExpatError as error:
-        return str(error)
-    except (LookupError, ValueError) as error:  # an encoding that nobody knows
-        return str(error)
-    return None
 
 
 def _not_xml(sheet: Sheet, words: str | None) -> Refused:

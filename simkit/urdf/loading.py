@@ -40,7 +40,7 @@ def load_robot(
         UrdfError: ROS refuses the file: `file:line:column: what is wrong; what would be right`.
     """
     reading = read_robot(text, file=file, packages=packages, folder=folder)
-    return robot_of(reading, packages=packages)
+    return robot_of(reading)
 
 
 def read_robot_file(path: str | Path, packages: PackagePath | None = None) -> Reading:
@@ -61,21 +61,15 @@ def read_robot_file(path: str | Path, packages: PackagePath | None = None) -> Re
     return read_robot(data, file=str(path), packages=packages)
 
 
-def robot_of(reading: Reading, *, packages: PackagePath | None = None) -> Robot:
+def robot_of(reading: Reading) -> Robot:
     """The robot of a reading.
-
-    Args:
-        reading: What urdfdom made of the file.
-        packages: Where the rules look for meshes.
 
     Raises:
         UrdfError: urdfdom refuses the file.
     """
     if reading.robot is not None:
         return reading.robot
-    from simkit.urdf.rules import check_robot  # many modules, needed only when something is wrong
-
-    found = check_robot(reading.document, packages=packages)
+    found = reading.diagnostics
     first = next((one for one in found if one.severity is Severity.ERROR), None)
     if first is None:
         raise UrdfError(f"{reading.document.file}: {reading.refusal}", found)

@@ -1,12 +1,16 @@
-"""A URDF as urdfdom reads it: layer one, the verdict of ROS, without any opinion of ours."""
+"""A URDF as urdfdom reads it, the verdict of ROS; what our rules say of it is asked for apart."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property, lru_cache
 from pathlib import Path
+from typing import NamedTuple
+from weakref import WeakSet
 
+from simkit.diagnostics import Diagnostic
 from simkit.packages import PackagePath
-from simkit.record import Record
+from simkit.record import replace
 from simkit.urdf.meshes import MeshFinder
 from simkit.urdf.model import Joint, Link, Material, Robot
 from simkit.urdf.urdfdom.joints import read_joint
@@ -18,19 +22,101 @@ from simkit.urdf.urdfdom.tree import NoTreeError, find_loop, find_root
 from simkit.urdf.urdfdom.xml_verdict import XmlRefusedError, robot_element
 from simkit.xml import Document, Element, parse_xml
 
+MOST_KEPT = 16
+"""So many texts of robots are remembered."""
 
-class Reading(Record):
-    """What urdfdom makes of a file."""
+
+class _Verdict(NamedTuple):
+    """What urdfdom makes of a text."""
 
     robot: Robot | None
-    """The robot; None if urdfdom refuses the file."""
     messages: tuple[str, ...]
-    """What it says on standard error, in its order: `Error:   ...` or `Warning: ...`."""
-    document: Document
-    """The file as XML."""
+    refusal: str
 
-    refusal: str = ""
-    """Why it is refused, in urdfdom's words without `Error:`; empty if it is not refused."""
+
+class _Text:
+    """The text of a robot, without the name of its file.
+
+    Args:
+        text: The URDF.
+    """
+
+    def __init__(self, text: str | bytes) -> None:
+        self.document = parse_xml(text, file="")
+        self.reported: WeakSet[object] = WeakSet()
+
+    @cached_property
+    def has_meshes(self) -> bool:
+        """Whether what is made of it depends on files, which may come and go."""
+        root = self.document.root
+        return root is not None and any(one.name == "mesh" for one in root.walk())
+
+    @cached_property
+    def verdict(self) -> _Verdict:
+        """What urdfdom makes of it, if it has no meshes."""
+        return _verdict(self.document, MeshFinder(Path(), None))
+
+
+_kept = lru_cache(maxsize=MOST_KEPT)(_Text)
+
+
+class Reading:
+    """The text of a robot as it is read once in a process, by whoever asks: check_urdf, launch, publishers, spawn, views.
+
+    Nothing is computed before it is asked for.
+
+    Args:
+        text: The URDF.
+        file: Name to show for it.
+        packages: Where the meshes of `package://` are looked for.
+        folder: Where relative names of meshes begin.
+    """
+
+    def __init__(
+        self, text: str | bytes, *, file: str, packages: PackagePath | None, folder: Path | None
+    ) -> None:
+        self._text = _kept(text)
+        self._packages = packages
+        self._folder = folder
+        self.document = replace(self._text.document, file=file)
+        """The file as XML."""
+
+    @cached_property
+    def robot(self) -> Robot | None:
+        """The robot; None if urdfdom refuses the file."""
+        robot = self._verdict.robot
+        return None if robot is None else replace(robot, document=self.document)
+
+    @property
+    def messages(self) -> tuple[str, ...]:
+        """What urdfdom says on standard error, in its order: `Error:   ...` or `Warning: ...`."""
+        return self._verdict.messages
+
+    @property
+    def refusal(self) -> str:
+        """Why it is refused, in urdfdom's words without `Error:`; empty if it is not refused."""
+        return self._verdict.refusal
+
+    @cached_property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """All that the rules find in it."""
+        from simkit.urdf.rules import check_robot  # many modules, not needed to read a robot
+
+        return check_robot(self.document, packages=self._packages, folder=self._folder)
+
+    def is_first_report_to(self, simulation: object) -> bool:
+        """Whether nobody has reported the faults of this text in a simulation yet; from now on somebody has."""
+        reported = self._text.reported
+        is_first = simulation not in reported
+        reported.add(simulation)
+        return is_first
+
+    @cached_property
+    def _verdict(self) -> _Verdict:
+        if not self._text.has_meshes:
+            return self._text.verdict
+        folder = Path(self.document.file).parent if self._folder is None else self._folder
+        return _verdict(self.document, MeshFinder(folder, self._packages))
 
 
 def read_robot(
@@ -52,16 +138,18 @@ def read_robot(
         urdfdom 3.0. One thing is different: a loop below the root is refused, where urdfdom says
         nothing and check_urdf prints without end.
     """
-    document = parse_xml(text, file=file)
+    return Reading(text, file=file, packages=packages, folder=folder)
+
+
+def _verdict(document: Document, finder: MeshFinder) -> _Verdict:
     log = Log()
-    finder = MeshFinder(Path(file).parent if folder is None else folder, packages)
     robot, reason = None, ""
     try:
         robot = _Reader(document, log, finder).robot()
     except _RefusedError as refusal:
         reason = refusal.reason
         log.error(refusal.last_words)
-    return Reading(robot=robot, messages=tuple(log.lines), document=document, refusal=reason)
+    return _Verdict(robot=robot, messages=tuple(log.lines), refusal=reason)
 
 
 class _RefusedError(Exception):

