@@ -5,7 +5,7 @@ import math
 import pytest
 
 from grader.checks import after, expect, expect_close, expect_close_angle, points
-from grader.checks.turtles import TurtleWatch, turned, yaw_of
+from oracles.turtles import TurtleWatch, turned, yaw_of
 
 SCRIPT = "turtle_tf_broadcaster.py"
 SEND = "sendTransform(translation, rotation, time, child, parent)"

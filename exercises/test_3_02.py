@@ -7,9 +7,9 @@ import pytest
 
 from grader.checks import after, expect, expect_close, points
 from grader.checks.answers import given_answer, words_of
-from grader.checks.frames import age_of, expect_frame
 from grader.checks.given import broadcast_turtle
-from grader.checks.turtles import TurtleWatch
+from oracles.frames import age_of, expect_frame
+from oracles.turtles import TurtleWatch
 
 FIXED = "fixed_tf_broadcaster.py"
 MOVING = "moving_tf_broadcaster.py"

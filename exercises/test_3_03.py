@@ -4,9 +4,9 @@ import pytest
 
 from grader.checks import after, expect, expect_close, points
 from grader.checks.answers import given_answer
-from grader.checks.following import bearing, come_near, drive, gap, samples, usual_bearing
 from grader.checks.given import broadcast_turtle, without_broadcasters
-from grader.checks.turtles import TurtleWatch
+from oracles.following import bearing, come_near, drive, gap, samples, usual_bearing
+from oracles.turtles import TurtleWatch
 
 SCRIPT = "turtle_tf_listener.py"
 LAUNCH = "start_turtles.launch"

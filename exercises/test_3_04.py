@@ -4,7 +4,8 @@ import pytest
 
 from grader.checks import after, expect, expect_close, points
 from grader.checks.answers import given_answer, words_of
-from grader.checks.following import (
+from grader.checks.given import broadcast_turtle
+from oracles.following import (
     come_near,
     come_to_rest,
     drive,
@@ -13,7 +14,6 @@ from grader.checks.following import (
     samples,
     usual_bearing,
 )
-from grader.checks.given import broadcast_turtle
 
 SCRIPT = "turtle_tf_listener_time_travel.py"
 DELAY = 2.0

@@ -4,10 +4,10 @@ import pytest
 
 from grader.checks import expect, expect_close, points
 from grader.checks.answers import given_answer, words_of
-from grader.checks.following import ahead_of, drive, seen_from
-from grader.checks.frames import expect_frame
 from grader.checks.given import broadcast_frame, broadcast_turtle
-from grader.checks.turtles import TurtleWatch, last_before
+from oracles.following import ahead_of, drive, seen_from
+from oracles.frames import expect_frame
+from oracles.turtles import TurtleWatch, last_before
 
 BRIDGE = "point_bridge.py"
 CAUSES = ("missing", "future", "past", "disconnected")

@@ -4,9 +4,9 @@ import pytest
 
 from grader.checks import after, expect, expect_close, expect_equal, points
 from grader.checks.answers import given_answer, words_of
-from grader.checks.moved_robot import MovedRobot
 from grader.checks.personal import base_of, name_of
 from grader.checks.robots import RobotFiles, cylinder_of, expect_chain, expect_firm
+from oracles.moved_robot import MovedRobot
 from simkit.diagnostics import Severity
 
 ROBOT = "hello_ros_robot_1.urdf"

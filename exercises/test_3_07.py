@@ -4,7 +4,6 @@ import pytest
 
 from grader.checks import after, expect, expect_close, points
 from grader.checks.answers import given_answer, words_of
-from grader.checks.moved_robot import MovedRobot, SeenRobot, expect_to_follow, require_joint
 from grader.checks.robots import (
     RobotFiles,
     expect_chain,
@@ -15,6 +14,7 @@ from grader.checks.robots import (
 )
 from grader.checks.rotations import about_z, apart, times
 from grader.errors import CheckFailed
+from oracles.moved_robot import MovedRobot, SeenRobot, expect_to_follow, require_joint
 from simkit.diagnostics import Severity
 from simkit.errors import SimkitError
 from simkit.urdf import JointType

@@ -6,7 +6,6 @@ import pytest
 
 from grader.checks import after, expect, expect_close, points
 from grader.checks.answers import given_answer
-from grader.checks.moved_robot import MovedRobot, SeenRobot, expect_to_follow, require_joint
 from grader.checks.personal import name_of, pose_of
 from grader.checks.robots import (
     RobotFiles,
@@ -15,6 +14,7 @@ from grader.checks.robots import (
     expect_silver_cylinder,
     slider_of,
 )
+from oracles.moved_robot import MovedRobot, SeenRobot, expect_to_follow, require_joint
 from simkit.diagnostics import Severity
 
 ROBOT = "hello_ros_robot_3.urdf"

@@ -7,8 +7,8 @@ import pytest
 from grader.checks import after, expect, expect_close, points
 from grader.checks.answers import given_answer, words_of
 from grader.checks.robots import RobotFiles, expect_chain
-from grader.checks.swinging_arm import SwingingArm
-from grader.checks.weights import expect_collision_as_visual, expect_cylinder_weight
+from oracles.swinging_arm import SwingingArm
+from oracles.weights import expect_collision_as_visual, expect_cylinder_weight
 from simkit.diagnostics import Severity
 
 ROBOT = "hello_gazebo_robot_1.urdf"

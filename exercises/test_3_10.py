@@ -6,15 +6,15 @@ import pytest
 
 from grader.checks import after, expect, expect_close, points
 from grader.checks.answers import given_answer, words_of
-from grader.checks.driven_arm import started_arm
-from grader.checks.folding_arm import LOWER, elbow_and_tip
-from grader.checks.given_arm import given_arm
-from grader.checks.moved_robot import MovedRobot
 from grader.checks.nodes import require_handed_in
 from grader.checks.robots import RobotFiles, expect_chain, expect_silver_cylinder
-from grader.checks.trajectories import Rules, watch
-from grader.checks.weights import expect_collision_as_visual, expect_cylinder_weight
 from grader.checks.worlds import place_of
+from oracles.driven_arm import started_arm
+from oracles.folding_arm import LOWER, elbow_and_tip
+from oracles.given_arm import given_arm
+from oracles.moved_robot import MovedRobot
+from oracles.trajectories import Rules, watch
+from oracles.weights import expect_collision_as_visual, expect_cylinder_weight
 from simkit.urdf import JointType
 
 ROBOT = "hello_gazebo_robot_2.urdf"

@@ -6,16 +6,16 @@ import pytest
 
 from grader.checks import CheckFailed, after, expect, expect_close, expect_close_angle, points
 from grader.checks.answers import given_answer, words_of
-from grader.checks.driven_robot import (
+from grader.checks.robots import RobotFiles, link_of
+from grader.checks.rotations import rotation_of
+from grader.checks.worlds import Place, inertia_of
+from oracles.driven_robot import (
     DrivenRobot,
     Stand,
     expect_ball,
     heading_of,
     lowest_point,
 )
-from grader.checks.robots import RobotFiles, link_of
-from grader.checks.rotations import rotation_of
-from grader.checks.worlds import Place, inertia_of
 
 ROBOT = "m2wr.urdf"
 LAUNCH = "spawn_urdf.launch"

@@ -66,6 +66,11 @@ class Exercise:
         """Top folders that a submission may write to."""
         return _packages(self.package, self.files)
 
+    @property
+    def oracles(self) -> list[Path]:
+        """Modules that the checks of all exercises may import, from `oracles/` beside the public ones."""
+        return sorted((self.public_checks.parent / "oracles").glob("*.py"))
+
 
 def exercise_key(exercise_id: str) -> str:
     """The part of file names that stands for the exercise: "3.1" -> "3_01", "S.1" -> "s_01"."""

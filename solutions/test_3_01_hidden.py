@@ -5,7 +5,7 @@ import math
 import pytest
 
 from grader.checks import expect, expect_close, points
-from grader.checks.turtles import TurtleWatch, turned, yaw_of
+from oracles.turtles import TurtleWatch, turned, yaw_of
 
 SCRIPT = "turtle_tf_broadcaster.py"
 

@@ -6,9 +6,9 @@ from itertools import pairwise
 import pytest
 
 from grader.checks import after, expect, expect_close, points
-from grader.checks.frames import age_of
 from grader.checks.given import broadcast_turtle
-from grader.checks.turtles import TurtleWatch
+from oracles.frames import age_of
+from oracles.turtles import TurtleWatch
 
 FIXED = "fixed_tf_broadcaster.py"
 MOVING = "moving_tf_broadcaster.py"

@@ -5,8 +5,8 @@ import math
 import pytest
 
 from grader.checks import expect, points
-from grader.checks.following import come_near, drive, gap, samples, usual_bearing
 from grader.checks.given import broadcast_turtle
+from oracles.following import come_near, drive, gap, samples, usual_bearing
 
 SCRIPT = "turtle_tf_listener.py"
 

@@ -5,8 +5,8 @@ import math
 import pytest
 
 from grader.checks import expect, expect_close, points
-from grader.checks.following import ahead_of, seen_from
 from grader.checks.given import broadcast_frame, broadcast_turtle
+from oracles.following import ahead_of, seen_from
 
 
 @pytest.fixture

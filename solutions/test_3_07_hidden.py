@@ -5,9 +5,9 @@ import math
 import pytest
 
 from grader.checks import after, expect_close, points
-from grader.checks.moved_robot import MovedRobot
 from grader.checks.robots import RobotFiles
 from grader.checks.rotations import about_z, apart, times
+from oracles.moved_robot import MovedRobot
 
 ROBOT = "hello_ros_robot_2.urdf"
 

@@ -3,8 +3,8 @@
 import pytest
 
 from grader.checks import after, expect, expect_close, points
-from grader.checks.moved_robot import MovedRobot
 from grader.checks.robots import RobotFiles
+from oracles.moved_robot import MovedRobot
 from simkit.urdf import JointType
 
 ROBOT = "hello_ros_robot_3.urdf"

@@ -4,7 +4,7 @@ import pytest
 
 from grader.checks import after, expect_close, points
 from grader.checks.robots import RobotFiles
-from grader.checks.swinging_arm import SwingingArm
+from oracles.swinging_arm import SwingingArm
 
 ROBOT = "hello_gazebo_robot_1.urdf"
 

@@ -3,11 +3,11 @@
 import pytest
 
 from grader.checks import after, expect, expect_close, points
-from grader.checks.driven_arm import started_arm
-from grader.checks.folding_arm import elbow_and_tip, middle
 from grader.checks.robots import RobotFiles, only_visual
-from grader.checks.trajectories import Rules, watch
 from grader.checks.worlds import place_of, solid_of
+from oracles.driven_arm import started_arm
+from oracles.folding_arm import elbow_and_tip, middle
+from oracles.trajectories import Rules, watch
 
 ROBOT = "hello_gazebo_robot_2.urdf"
 LAUNCH = "spawn_gazebo_2.launch"

@@ -5,8 +5,8 @@ import math
 import pytest
 
 from grader.checks import after, expect, expect_close, expect_close_angle, points
-from grader.checks.driven_robot import DrivenRobot, Stand, heading_of
 from grader.checks.robots import RobotFiles
+from oracles.driven_robot import DrivenRobot, Stand, heading_of
 
 ROBOT = "m2wr.urdf"
 WHEELS = ("link_left_wheel", "link_right_wheel")

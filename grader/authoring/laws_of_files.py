@@ -71,6 +71,7 @@ def nothing_else(root: Path, *, slugs: Sequence[str], keys: Sequence[str]) -> It
         keys: What their numbers are in names of files.
     """
     known = {"exercises/README.md", "solutions/README.md"}
+    known |= {path.relative_to(root).as_posix() for path in root.glob("exercises/oracles/*.py")}
     known |= {f"{tree}/{slug}.ipynb" for slug in slugs for tree in ("exercises", "solutions")}
     known |= {f"solutions/{slug}.md" for slug in slugs}
     for key in keys:

@@ -67,7 +67,7 @@ def result_key(
 
     Args:
         submission: What was handed in.
-        exercise: What was asked for; the content of its check files counts.
+        exercise: What was asked for; the content of its check files and of their oracles counts.
         hidden: Whether the hidden checks run too.
         sandbox: Where nodes run; its name counts.
     """
@@ -83,6 +83,7 @@ def result_key(
         [list(names) for names in _permissions(exercise)],
         sorted(exercise.stub_files.items()),
         _hash(exercise.public_checks),
+        [_hash(path) for path in exercise.oracles],
         _hash(exercise.hidden_checks) if hidden else None,
         sandbox.name,
         _versions(),

@@ -5,18 +5,18 @@ from pathlib import Path
 
 import pytest
 
-from grader.checks.driven_robot import (
+from grader.errors import CheckFailed
+from oracles.driven_robot import (
     DrivenRobot,
     Stand,
     expect_ball,
     heading_of,
     lowest_point,
 )
-from grader.errors import CheckFailed
 from simkit import Simulation
 from simkit.urdf import load_robot
 
-TEXT = (Path(__file__).resolve().parents[3] / "robots/my_robot_urdf/urdf/m2wr.urdf").read_text(
+TEXT = (Path(__file__).resolve().parents[2] / "robots/my_robot_urdf/urdf/m2wr.urdf").read_text(
     encoding="utf-8"
 )
 WHEELS = ("link_left_wheel", "link_right_wheel")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from grader.checks.expect import expect
-from grader.checks.turtles import HeardTransform
+from oracles.turtles import HeardTransform
 from simkit import Simulation
 
 SEND = "sendTransform(translation, rotation, time, child, parent)"

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import pytest
 
 from grader.checks import following
-from grader.checks.turtles import TurtlePose, last_before
+from oracles.turtles import TurtlePose, last_before
 from simkit import Simulation
 
 

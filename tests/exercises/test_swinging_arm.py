@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from grader.checks.swinging_arm import SwingingArm
+from oracles.swinging_arm import SwingingArm
 
 # Hip and shoulder [rad] of the book's arm, let go from level, by a method of high order.
 KNOWN = {

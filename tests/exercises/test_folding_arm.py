@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from grader.checks.folding_arm import elbow_and_tip, middle
+from oracles.folding_arm import elbow_and_tip, middle
 
 QUARTER = math.pi / 2
 

@@ -4,12 +4,13 @@ from pathlib import Path
 
 import pytest
 
-from grader.checks.driven_arm import complaint, started_arm
-from grader.checks.given_arm import given_arm
+from grader.checks.log import complaint
 from grader.errors import CheckFailed
+from oracles.driven_arm import started_arm
+from oracles.given_arm import given_arm
 from simkit import Simulation
 
-ROBOTS = Path(__file__).resolve().parents[3] / "robots"
+ROBOTS = Path(__file__).resolve().parents[2] / "robots"
 MODEL = "hello_ros_robot"
 
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from grader.checks.weights import expect_collision_as_visual, expect_cylinder_weight
 from grader.errors import CheckFailed
+from oracles.weights import expect_collision_as_visual, expect_cylinder_weight
 from simkit.urdf import load_robot
 
 GOOD_INERTIAL = (

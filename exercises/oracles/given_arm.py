@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from grader.checks.driven_arm import CONTROLLER, DrivenArm
+from oracles.driven_arm import CONTROLLER, DrivenArm
 from simkit import Simulation
 
 _SETTLE = 0.3

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from grader.checks.expect import expect_close
+from grader.checks.log import with_complaint
 from grader.checks.worlds import started_world
 from grader.errors import CheckFailed
 from simkit import Simulation
-from simkit.graph import LogLevel
 from simkit.physics import Model
 
 CONTROLLER = "arm_controller"
@@ -19,9 +19,6 @@ COMMAND = f"/{CONTROLLER}/command"
 _LIST = "/controller_manager/list_controllers"
 _START = 0.4
 """Time in which a launch file brings robot and controller [s]."""
-
-_NEAR = 3
-"""The hint to an error is among so many lines behind it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -129,32 +126,6 @@ def started_arm(
                 '<rosparam file="..." command="load"/>.',
             )
     return DrivenArm(sim=sim, model=gazebo.spawned[model].model, joints=moved)
-
-
-def with_complaint(failure: CheckFailed, sim: Simulation) -> CheckFailed:
-    """The failure, with the first thing that Gazebo or a controller's spawner found wrong below it."""
-    said = complaint(sim)
-    if not said:
-        return failure
-    return CheckFailed(
-        f"{failure.message}\nits log says: {said}",
-        expected=failure.expected,
-        actual=failure.actual,
-        hint=failure.hint,
-    )
-
-
-def complaint(sim: Simulation) -> str:
-    """The first error on rosout, with the hint that follows it; the first refusal of a warning else; or nothing."""
-    records = [one for one in sim.log if one.node != "/simkit"]
-    for number, record in enumerate(records):
-        is_refusal = record.level == LogLevel.WARN and "Dropping all" in record.text
-        if record.level < LogLevel.ERROR and not is_refusal:
-            continue
-        following = records[number + 1 : number + 1 + _NEAR]
-        hints = [one.text for one in following if one.text.startswith("hint: ")]
-        return " ".join(" ".join([record.text, *hints[:1]]).split())
-    return ""
 
 
 def _require_controller(sim: Simulation) -> tuple[str, ...]:

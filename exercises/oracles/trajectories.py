@@ -6,9 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from grader.checks.driven_arm import COMMAND, DrivenArm, with_complaint
 from grader.checks.expect import expect_close
+from grader.checks.log import with_complaint
 from grader.errors import CheckFailed
+from oracles.driven_arm import COMMAND, DrivenArm
 
 _TYPE = "trajectory_msgs/JointTrajectory"
 _SLACK = 1e-6

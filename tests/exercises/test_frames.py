@@ -2,10 +2,10 @@ from __future__ import annotations
 
 import pytest
 
-from grader.checks.frames import age_of, expect_frame
 from grader.checks.given import broadcast_frame, broadcast_turtle
-from grader.checks.turtles import TurtleWatch
 from grader.errors import CheckFailed
+from oracles.frames import age_of, expect_frame
+from oracles.turtles import TurtleWatch
 from simkit import Simulation
 
 

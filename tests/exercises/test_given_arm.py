@@ -2,8 +2,8 @@
 
 import pytest
 
-from grader.checks.driven_arm import complaint
-from grader.checks.given_arm import given_arm
+from grader.checks.log import complaint
+from oracles.given_arm import given_arm
 from simkit import Simulation
 
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from pytransform3d.urdf import UrdfTransformManager
 
-from grader.checks.moved_robot import MovedRobot, SeenRobot, expect_to_follow, require_joint
 from grader.errors import CheckFailed
+from oracles.moved_robot import MovedRobot, SeenRobot, expect_to_follow, require_joint
 from simkit import Simulation
 from simkit.urdf import read_robot
 

@@ -2,10 +2,10 @@
 
 import pytest
 
-from grader.checks.driven_arm import COMMAND
-from grader.checks.given_arm import given_arm
-from grader.checks.trajectories import Rules, expect_sound, watch
 from grader.errors import CheckFailed
+from oracles.driven_arm import COMMAND
+from oracles.given_arm import given_arm
+from oracles.trajectories import Rules, expect_sound, watch
 from simkit import Simulation
 from simkit.msgs import Duration, fill_message, message_class
 
