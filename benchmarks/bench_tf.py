@@ -1,8 +1,15 @@
-"""TF lookups and insertions against pytransform3d's transform manager, in one run."""
+"""TF lookups and insertions against tf2's own Python binding and pytransform3d, in one run.
 
+tf2 is C++; Debian's package python3-tf2-ros brings it for the system's python, which is asked
+chain by chain right after our own.
+"""
+
+import itertools
 import math
+import subprocess
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 from figures import Figure, median_of, show
@@ -12,6 +19,11 @@ from simkit.tf import BufferCore
 
 STEP_NS = 16_000_000
 SAMPLES = 200
+BETWEEN = 100 * STEP_NS + STEP_NS // 3
+"A time between two samples [ns]."
+LIMITS = {3: 1.2, 10: 2.0, 50: 4.0}
+"Aims: times of tf2, by the length of the chain."
+SYSTEM_PYTHON = "/usr/bin/python3"
 
 
 def chain(frames: int) -> BufferCore:
@@ -63,36 +75,55 @@ def per_call(work: Callable[[], object], calls: int) -> float:
     return median_of([one_round() for _ in range(9)])
 
 
+def peer_lookup(frames: int) -> float | None:
+    """The same lookup by tf2's binding [us]; None if the system's python has no tf2."""
+    program = [SYSTEM_PYTHON, Path(__file__).with_name("peer_tf2.py"), str(frames)]
+    try:
+        done = subprocess.run(program, capture_output=True, text=True, check=True)
+    except (OSError, subprocess.CalledProcessError):
+        return None
+    return float(done.stdout)
+
+
+def show_lookups(frames: int) -> None:
+    """The figures of one chain: a time that is asked again and again, another each time, the latest."""
+    buffer, last = chain(frames), f"f{frames}"
+    moments = itertools.cycle(range(STEP_NS + 1, SAMPLES * STEP_NS, STEP_NS - 1))
+    name = f"TF lookup, chain of {frames}"
+    again = per_call(lambda: buffer.lookup("f0", last, time=BETWEEN), 500)
+    anew = per_call(lambda: buffer.lookup("f0", last, time=next(moments)), 500)
+    show(
+        Figure(f"{name}, interpolated", again, "us"),
+        Figure(f"{name}, interpolated, another time in each call", anew, "us"),
+        Figure(f"{name}, latest", per_call(lambda: buffer.lookup("f0", last), 500), "us"),
+    )
+    peer = peer_lookup(frames)
+    if peer is None:
+        print("    tf2 is not installed: apt-get install python3-tf2-ros")
+        return
+    show(
+        Figure("    tf2's Python binding (C++)", peer, "us"),
+        Figure("    interpolated, over tf2", again / peer, "x", LIMITS.get(frames)),
+        Figure("    another time in each call, over tf2", anew / peer, "x", LIMITS.get(frames)),
+    )
+
+
+def show_peer() -> None:
+    """pytransform3d's lookup in a chain of ten."""
+    buffer, manager = chain(10), peer_chain(10)
+    own = per_call(lambda: buffer.lookup("f0", "f10", time=BETWEEN), 500)
+    peer = per_call(lambda: manager.get_transform_at_time("f10", "f0", BETWEEN * 1e-9), 20)
+    show(
+        Figure("pytransform3d, interpolated, chain of 10", peer, "us"),
+        Figure("times faster than pytransform3d", peer / own, "x", 50.0, more_is_better=True),
+    )
+
+
 def main() -> None:
     """Print the figures."""
-    between = 100 * STEP_NS + STEP_NS // 3
-    targets = {3: 15.0, 10: 30.0}
     for frames in (1, 3, 10, 50):
-        buffer = chain(frames)
-        last = f"f{frames}"
-        at_time = per_call(lambda b=buffer, f=last: b.lookup("f0", f, time=between), 500)
-        latest = per_call(lambda b=buffer, f=last: b.lookup("f0", f), 500)
-        show(
-            Figure(
-                f"TF lookup, chain of {frames}, interpolated", at_time, "us", targets.get(frames)
-            )
-        )
-        show(Figure(f"TF lookup, chain of {frames}, latest", latest, "us"))
-        if frames == 10:
-            manager = peer_chain(frames)
-            peer = per_call(
-                lambda m=manager: m.get_transform_at_time("f10", "f0", between * 1e-9), 20
-            )
-            show(Figure("pytransform3d, the same lookup, chain of 10", peer, "us"))
-            show(
-                Figure(
-                    "times faster than pytransform3d",
-                    peer / at_time,
-                    "x",
-                    50.0,
-                    more_is_better=True,
-                )
-            )
+        show_lookups(frames)
+    show_peer()
     insertion = BufferCore()
     counter = iter(range(10**9))
     show(Figure("TF insertion", per_call(lambda: insert(insertion, 0, next(counter)), 2000), "us"))

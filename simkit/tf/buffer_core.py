@@ -9,7 +9,7 @@ from simkit.geometry import Quaternion, Transform, Vector, canonical
 from simkit.tf import frame_report
 from simkit.tf.admission import is_admissible, objections, without_slash
 from simkit.tf.cache import LATEST
-from simkit.tf.common_time import latest_common_time
+from simkit.tf.climb import latest_common_time
 from simkit.tf.errors import InvalidArgumentException, LookupException, TransformException
 from simkit.tf.frame_table import NO_FRAME, FrameTable
 from simkit.tf.path import frames_between, transform_between
@@ -224,9 +224,7 @@ class BufferCore:
 
     def clear(self) -> None:
         """Forget the transforms of moving frames; names and static transforms stay."""
-        for cache in self.frames.caches:
-            if cache is not None:
-                cache.clear()
+        self.frames.clear()
 
     def _warn(self, text: str) -> None:
         if self.on_warning is not None:
@@ -238,12 +236,12 @@ class BufferCore:
 
     def _number(self, name: str, role: str) -> int:
         number = self.frames.number(name)
+        if number != NO_FRAME and not name.startswith("/"):
+            return number
         fault = _name_fault(name, role)
         if fault:
             raise InvalidArgumentException(fault, frame=name)
-        if number == NO_FRAME:
-            raise LookupException(f'"{name}" passed to {role} does not exist. ', frame=name)
-        return number
+        raise LookupException(f'"{name}" passed to {role} does not exist. ', frame=name)
 
     def _are_names(self, names: dict[str, str]) -> bool:
         """Whether all can be names of frames; tells `on_warning` of the first that cannot."""

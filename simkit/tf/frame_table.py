@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Final, TypeAlias
+from typing import TYPE_CHECKING, Final, TypeAlias
 
 from simkit.geometry import Quaternion, Vector
-from simkit.tf.cache import TimeCache
-from simkit.tf.static_cache import StaticCache
+from simkit.tf.cache import StaticCache, TimeCache
+
+if TYPE_CHECKING:
+    from simkit.tf.path import Path
 
 Cache: TypeAlias = TimeCache | StaticCache
 
@@ -21,15 +23,20 @@ class FrameTable:
         names: Name of each frame, by number.
         caches: Transforms of each frame to its parent, by number; None for a root.
         authorities: Node that last broadcast a frame, by the frame's number.
+        changes: Number of transforms that were taken in, or forgotten at once.
+        paths: The ways that were asked for since the shape of the tree changed, by the numbers of
+            target and source; None for a way that changes with time.
     """
 
-    __slots__ = ("_cache_time", "_numbers", "authorities", "caches", "names")
+    __slots__ = ("_cache_time", "_numbers", "authorities", "caches", "changes", "names", "paths")
 
     def __init__(self, cache_time: int) -> None:
         self._cache_time = cache_time
         self.names: list[str] = ["NO_PARENT"]
         self.caches: list[Cache | None] = [None]
         self.authorities: dict[int, str] = {}
+        self.changes = 0
+        self.paths: dict[tuple[int, int], Path | None] = {}
         self._numbers = {"NO_PARENT": NO_FRAME}
 
     def number(self, name: str) -> int:
@@ -64,7 +71,21 @@ class FrameTable:
         if cache is None:
             cache = StaticCache() if static else TimeCache(self._cache_time)
             self.caches[number] = cache
-        return cache.insert(stamp, (self._intern(parent), translation, rotation))
+        self.changes += 1
+        before = cache.parent
+        refusal = cache.insert(stamp, (self._intern(parent), translation, rotation))
+        # A path holds the product of its static parts.
+        if cache.parent != before or isinstance(cache, StaticCache):
+            self.paths.clear()
+        return refusal
+
+    def clear(self) -> None:
+        """Forget the transforms of moving frames; names and static transforms stay."""
+        for cache in self.caches:
+            if cache is not None:
+                cache.clear()
+        self.changes += 1
+        self.paths.clear()
 
     def _intern(self, name: str) -> int:
         number = self._numbers.get(name)

@@ -1,14 +1,110 @@
-"""The way between two frames of a tree: up from the source, down to the target."""
+"""The way between two frames of a tree: up from the source, down to the target.
+
+A way that was asked for is kept until the shape of the tree changes, with each run of static links
+folded into one. Where it has no answer, the tree is climbed link by link, which finds the reason.
+"""
 
 from __future__ import annotations
 
+from itertools import groupby
+from typing import Final
+
 from simkit.geometry import Transform
-from simkit.tf.cache import LATEST
-from simkit.tf.climb import Climb, climb
-from simkit.tf.common_time import latest_common_time, unconnected
+from simkit.tf.cache import LATEST, StaticCache, TimeCache, carried
+from simkit.tf.climb import (
+    MAX_DEPTH,
+    NEVER,
+    Climb,
+    climb,
+    latest_common_time,
+    unconnected,
+)
 from simkit.tf.errors import DataGap, ExtrapolationException, TransformException
-from simkit.tf.frame_table import FrameTable
+from simkit.tf.frame_table import Cache, FrameTable
 from simkit.tf.transform import StampedTransform
+
+_KEPT: Final = 4096
+"So many ways are kept; a program that asks for ever more of them starts anew."
+
+
+class Path:
+    """A way whose shape does not depend on the time.
+
+    Args:
+        up: The links from the source to the top, the lowest first.
+        down: The links from the target to the top.
+        shared: How many links at the end of both are the same: data is due there, but it does not
+            decide what is the latest common time.
+    """
+
+    __slots__ = ("_answer", "_asked", "_down", "_timed", "_up")
+
+    def __init__(self, up: list[Cache], down: list[Cache], *, shared: int) -> None:
+        self._up, self._down = _folded(up), _folded(down)
+        between = up[: len(up) - shared] + down[: len(down) - shared]
+        self._timed = [cache for cache in between if isinstance(cache, TimeCache)]
+        self._asked: tuple[int, int] | None = None
+        self._answer: StampedTransform | None = None
+
+    def at(self, time: int, *, changes: int) -> StampedTransform | None:
+        """T_ab at `time` [ns] or the latest common time; None if a link has no data then.
+
+        Args:
+            time: When [ns].
+            changes: Number of transforms that the table has taken in; the same question while
+                nothing was added has the same answer.
+        """
+        if self._asked != (time, changes):
+            self._answer = self._computed(self._latest() if time == LATEST else time)
+            self._asked = (time, changes)
+        return self._answer
+
+    def _latest(self) -> int:
+        common = min([cache.newest or NEVER for cache in self._timed], default=NEVER)
+        return LATEST if common == NEVER else common
+
+    def _computed(self, time: int) -> StampedTransform | None:
+        up, down = carried(self._up, time), carried(self._down, time)
+        if up is None or down is None:
+            return None
+        return StampedTransform(down.inverse() @ up if self._down else up, time)
+
+
+def _folded(links: list[Cache]) -> list[Cache]:
+    """The links with each run of static ones as one link."""
+    folded: list[Cache] = []
+    for is_static, run in groupby(links, lambda link: isinstance(link, StaticCache)):
+        steps = list(run)
+        product = carried(steps, LATEST) if is_static else None
+        folded += [StaticCache((steps[-1].parent, *product))] if product else steps
+    return folded
+
+
+def _find(table: FrameTable, target: int, source: int) -> Path | None:
+    """The way between two frames, if it is the same at all times."""
+    up = _line(table, source, target)
+    down = _line(table, target, source)
+    if up and up[-1][0] == target:
+        return Path([cache for _, cache in up], [], shared=0)
+    if down and down[-1][0] == source:
+        return Path([], [cache for _, cache in down], shared=0)
+    if not up or not down or up[-1][0] != down[-1][0]:
+        return None
+    shared = 0
+    while shared < min(len(up), len(down)) and up[-1 - shared][1] is down[-1 - shared][1]:
+        shared += 1
+    return Path([cache for _, cache in up], [cache for _, cache in down], shared=shared)
+
+
+def _line(table: FrameTable, frame: int, goal: int) -> list[tuple[int, Cache]]:
+    """Parent and link of a frame, its parent, ... up to the goal or the root; empty if it varies."""
+    line: list[tuple[int, Cache]] = []
+    while (cache := table.caches[frame]) is not None and frame != goal:
+        frame = cache.parent
+        if not frame or len(line) == MAX_DEPTH:
+            return []
+        line.append((frame, cache))
+    return line
 
 
 def transform_between(
@@ -20,6 +116,22 @@ def transform_between(
         ConnectivityException: No way joins the frames.
         ExtrapolationException: A frame on the way lacks data at that time.
         LookupException: The tree has a loop on the way.
+    """
+    key = (target, source)
+    if key not in table.paths:
+        if len(table.paths) >= _KEPT:
+            table.paths.clear()
+        table.paths[key] = _find(table, target, source) if target != source else None
+    path = table.paths[key]
+    found = path.at(time, changes=table.changes) if path else None
+    return climbed_between(table, target, source, time=time) if found is None else found
+
+
+def climbed_between(table: FrameTable, target: int, source: int, *, time: int) -> StampedTransform:
+    """`transform_between`, link by link.
+
+    Raises:
+        TransformException: As `transform_between`.
 
     Source:
         tf2 `BufferCore::walkToTopParent`: the source climbs as far as data reaches, then the
@@ -30,11 +142,11 @@ def transform_between(
     if time == LATEST:
         time = latest_common_time(table, target, source)
     up = climb(table, source, time=time, goals=(target, target))
-    from_source = Transform(up.translation, up.rotation)
+    from_source = carried(up.links, time) or Transform()
     if up.top == target:
         return StampedTransform(from_source, time)
     down = climb(table, target, time=time, goals=(up.top, source))
-    to_target = Transform(down.translation, down.rotation).inverse()
+    to_target = (carried(down.links, time) or Transform()).inverse()
     if down.top == source:
         return StampedTransform(to_target, time)
     if down.top != up.top:

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from simkit.tf import BufferCore
+from simkit.tf.cache import StaticCache
 from simkit.tf.frame_report import FrameReport, frame_reports
-from simkit.tf.static_cache import StaticCache
 from simkit.tf.trees import two_trees_hint
 
 _NAMED = 6

@@ -8,7 +8,7 @@ import random
 import pytest
 
 from simkit.geometry import IDENTITY, ORIGIN, Quaternion, slerp
-from simkit.tf.cache import LATEST, TimeCache
+from simkit.tf.cache import LATEST, StaticCache, TimeCache
 
 LENGTH = 10 * 10**9
 
@@ -149,3 +149,30 @@ def test_clear_empties():
     assert cache.at(LATEST) is None
     assert not cache
     assert cache.newest_link == (0, 0)
+
+
+# -- a frame that never moves
+
+
+def test_the_last_transform_holds_at_every_time():
+    cache = StaticCache()
+    for i in range(1, 101):
+        assert cache.insert(i, (i, ORIGIN, IDENTITY)) == ""
+        assert cache.at(i) == (i, ORIGIN, IDENTITY)
+    assert cache.at(1) == cache.at(10**18) == (100, ORIGIN, IDENTITY)
+    assert len(cache) == 1
+
+
+def test_a_repeated_stamp_replaces():
+    cache = StaticCache()
+    cache.insert(1, (3, ORIGIN, IDENTITY))
+    cache.insert(1, (4, ORIGIN, IDENTITY))
+    assert cache.at(1) == (4, ORIGIN, IDENTITY)
+
+
+def test_it_has_no_stamps_and_survives_a_clear():
+    cache = StaticCache()
+    cache.insert(77, (2, ORIGIN, IDENTITY))
+    cache.clear()
+    assert cache.newest_link == (0, 2)
+    assert cache.span == (0, 0)
