@@ -30,7 +30,7 @@ if TYPE_CHECKING:
         TransformPlot,
         TurtlesimView,
     )
-    from simkit.viz.live_turtlesim import LiveTurtlesim
+    from simkit.viz.turtlesim.page import LiveTurtlesim
 
 
 class Seeing:
@@ -252,9 +252,9 @@ class Seeing:
     def _live_turtlesim(
         self, program: TurtlesimNode, *, is_over: Callable[[], bool]
     ) -> LiveTurtlesim:
-        from simkit.viz.live_turtlesim import LiveTurtlesim
+        from simkit.viz.turtlesim.page import LiveTurtlesim
 
-        page = LiveTurtlesim(lambda: program.picture(names=True), is_over=is_over)
+        page = LiveTurtlesim(program.frame, is_over=is_over)
         self._views.append(page.refresh)
         self._closers.append(page.close)
         program.tell(page.url)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from simkit.gazebo import Gazebo
     from simkit.recording import Recording
     from simkit.viz import LiveRviz, RvizView
-    from simkit.viz.live_turtlesim import LiveTurtlesim
+    from simkit.viz.turtlesim.page import LiveTurtlesim
     from simkit.viz.world import LiveWorld, WorldReplay, WorldSettings, WorldTape, WorldView
 
 

@@ -35,8 +35,8 @@ if TYPE_CHECKING:
     from simkit.viz.topics.ears import RvizEars
     from simkit.viz.transform_plot import TransformPlot
     from simkit.viz.transform_series import TransformSeries, transform_series
-    from simkit.viz.turtle_replay import TurtleReplay
-    from simkit.viz.turtlesim_view import TurtlesimView
+    from simkit.viz.turtlesim.replay import TurtleReplay
+    from simkit.viz.turtlesim.view import TurtlesimView
 
 __all__ = [
     "FramesPicture",
@@ -85,8 +85,8 @@ _HOMES = {
     "TrajectorySliders": "by_hand.trajectory_sliders",
     "TransformPlot": "transform_plot",
     "TransformSeries": "transform_series",
-    "TurtleReplay": "turtle_replay",
-    "TurtlesimView": "turtlesim_view",
+    "TurtleReplay": "turtlesim.replay",
+    "TurtlesimView": "turtlesim.view",
     "controlled_joints": "by_hand.controlled_joints",
     "display_of": "topics.displays",
     "displays_of": "topics.displays",

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from simkit.geometry import Vector
-from simkit.viz.drawing import Point
+from simkit.viz.draw.drawing import Point
 
 FIELD_OF_VIEW: Final = math.radians(30.0)
 """Angle that the picture's height covers [rad]."""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from simkit.geometry import Vector
 from simkit.viz import scene_style as style
 from simkit.viz.camera import NEAR, Camera, focal_length
-from simkit.viz.drawing import Point
+from simkit.viz.draw.drawing import Point
 from simkit.viz.raster import Array, Layer, Paint
 from simkit.viz.solid import Color
 from simkit.viz.surfaces import Surface

@@ -7,11 +7,11 @@ from pathlib import Path
 from simkit.msgs import Time
 from simkit.saving import save_as
 from simkit.tf import Buffer
-from simkit.viz.drawing import Drawing
+from simkit.viz.draw.drawing import Drawing
+from simkit.viz.draw.svg import svg_text
 from simkit.viz.forest import Forest, forest_of
 from simkit.viz.frames_dot import dot_text
 from simkit.viz.frames_sheet import draw_forest
-from simkit.viz.svg import svg_text
 
 
 class FramesPicture:
@@ -45,13 +45,13 @@ class FramesPicture:
         Args:
             scale: Pixels of the file per pixel of the SVG.
         """
-        from simkit.viz.figure import png_bytes
+        from simkit.viz.draw.figure import png_bytes
 
         return png_bytes(self._drawing(), scale=scale)
 
     def to_pdf(self) -> bytes:
         """The tree as a PDF file of one page."""
-        from simkit.viz.figure import pdf_bytes
+        from simkit.viz.draw.figure import pdf_bytes
 
         return pdf_bytes(self._drawing())
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from simkit.msgs import Time
-from simkit.viz.drawing import Box, Drawing, Line, Point, Shape, Text
+from simkit.viz.draw.drawing import Box, Drawing, Line, Point, Shape, Text
+from simkit.viz.draw.letters import shortened, text_width, wrapped
 from simkit.viz.forest import Forest, Tree
 from simkit.viz.frames_dot import edge_facts, seconds
-from simkit.viz.letters import shortened, text_width, wrapped
 from simkit.viz.tree_drawing import GREY, INK, PAPER, tree_shapes
 from simkit.viz.tree_layout import LONGEST, CardNode, TreeLayout, tree_layout
 

@@ -7,7 +7,7 @@ import json
 from collections.abc import Sequence
 from importlib import resources
 
-from simkit.viz.letters import printable
+from simkit.viz.draw.letters import printable
 
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:"
 "The browser itself refuses anything from the network."

@@ -5,8 +5,8 @@ from __future__ import annotations
 from simkit.urdf.model import Joint, JointType, Limit, Mimic, Robot
 from simkit.urdf.tree_text import axis_text, number_text, vector_text
 from simkit.urdf.urdfdom.tree import children_by_link
-from simkit.viz.drawing import Drawing, Line, Point, Shape, Text
-from simkit.viz.letters import shortened, text_width
+from simkit.viz.draw.drawing import Drawing, Line, Point, Shape, Text
+from simkit.viz.draw.letters import shortened, text_width
 from simkit.viz.tree_drawing import GREY, INK, PAPER, tree_shapes
 from simkit.viz.tree_layout import LONGEST, CardNode, tree_layout
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from simkit.urdf import Box, Collision, Geometry, Link, Material, Mesh, Robot, Visual
 from simkit.urdf.mesh_file import MeshError
-from simkit.viz.letters import shortened
+from simkit.viz.draw.letters import shortened
 from simkit.viz.mesh_file import read_mesh
 from simkit.viz.solid import Color, Role, Solid, SolidShape, half_extents
 

@@ -6,10 +6,10 @@ from pathlib import Path
 
 from simkit.saving import save_as
 from simkit.urdf.model import Robot
-from simkit.viz.drawing import Drawing
+from simkit.viz.draw.drawing import Drawing
+from simkit.viz.draw.svg import svg_text
 from simkit.viz.robot_dot import robot_dot_text
 from simkit.viz.robot_sheet import draw_robot_tree
-from simkit.viz.svg import svg_text
 
 
 class RobotTree:
@@ -35,13 +35,13 @@ class RobotTree:
         Args:
             scale: Pixels of the file per pixel of the SVG.
         """
-        from simkit.viz.figure import png_bytes
+        from simkit.viz.draw.figure import png_bytes
 
         return png_bytes(self._drawing(), scale=scale)
 
     def to_pdf(self) -> bytes:
         """The tree as a PDF file of one page."""
-        from simkit.viz.figure import pdf_bytes
+        from simkit.viz.draw.figure import pdf_bytes
 
         return pdf_bytes(self._drawing())
 

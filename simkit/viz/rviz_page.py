@@ -8,8 +8,8 @@ from collections.abc import Iterable, Sequence
 from typing import Final
 
 from simkit.geometry import roll_pitch_yaw
-from simkit.viz.drawing import Point
-from simkit.viz.letters import shortened
+from simkit.viz.draw.drawing import Point
+from simkit.viz.draw.letters import shortened
 from simkit.viz.library import packed_library
 from simkit.viz.page import escaped, html_page
 from simkit.viz.scene import LONGEST, Scene
@@ -163,7 +163,7 @@ def _short(name: str) -> str:
 
 def _still(scene: Scene) -> str:
     """The picture before the scripts run, and where they cannot draw in 3D."""
-    from simkit.viz.png_file import png_of_pixels
+    from simkit.viz.draw.pixels import png_of_pixels
     from simkit.viz.scene_raster import scene_pixels
 
     data = png_of_pixels(scene_pixels(scene, size=_STILL_SIZE))

@@ -6,10 +6,9 @@ from collections.abc import Iterator
 from typing import Final
 
 from simkit.viz.camera import on_paper
-from simkit.viz.drawing import Drawing, Line, Point, Shape, Text
-from simkit.viz.figure import png_bytes
-from simkit.viz.label_places import label_places
-from simkit.viz.letters import shortened, text_width, wrapped
+from simkit.viz.draw.drawing import Drawing, Line, Point, Shape, Text
+from simkit.viz.draw.figure import png_bytes
+from simkit.viz.draw.letters import label_places, shortened, text_width, wrapped
 from simkit.viz.scene import LONGEST, Scene
 from simkit.viz.scene_data import MOST_NAMES, grid_note, summary
 from simkit.viz.scene_raster import scene_pixels

@@ -56,7 +56,7 @@ class RvizView:
 
     def thumbnail(self) -> bytes:
         """A small still picture as a PNG file, without any words, on a ground that is seen through."""
-        from simkit.viz.png_file import png_of_pixels
+        from simkit.viz.draw.pixels import png_of_pixels
         from simkit.viz.scene_raster import scene_pixels
 
         return png_of_pixels(scene_pixels(self.scene, size=SMALL_SIZE))

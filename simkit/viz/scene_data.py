@@ -10,7 +10,7 @@ from simkit.geometry import Quaternion, Vector
 from simkit.urdf import Box, Cylinder, Sphere
 from simkit.viz import scene_style as style
 from simkit.viz.camera import FIELD_OF_VIEW
-from simkit.viz.letters import shortened
+from simkit.viz.draw.letters import shortened
 from simkit.viz.marks import LINE_WIDTH, POINT_SIZE, marks_data
 from simkit.viz.scene import LONGEST, PlacedSolid, Scene
 from simkit.viz.solid import TriangleMesh

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from simkit.viz import scene_style as style
-from simkit.viz.drawing import Point
+from simkit.viz.draw.drawing import Point
 from simkit.viz.eye import Eye, Pixels
 from simkit.viz.raster import Layer
 from simkit.viz.scene import Scene

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from simkit.tf import Buffer
-from simkit.viz.letters import shortened
+from simkit.viz.draw.letters import shortened
 from simkit.viz.plots.plot import Plot, finish, panels
 from simkit.viz.transform_series import RecordedTopics, TransformSeries, transform_series
 

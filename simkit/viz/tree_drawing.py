@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.viz.drawing import Area, Box, Curve, Group, Line, Point, Shape, Text
-from simkit.viz.letters import shortened
+from simkit.viz.draw.drawing import Area, Box, Curve, Group, Line, Point, Shape, Text
+from simkit.viz.draw.letters import shortened
 from simkit.viz.tree_layout import (
     CARD_PADDING,
     FACT_HEIGHT,

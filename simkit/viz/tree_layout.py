@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from simkit.viz.drawing import Point
-from simkit.viz.letters import shortened, text_width
+from simkit.viz.draw.drawing import Point
+from simkit.viz.draw.letters import shortened, text_width
 from simkit.viz.tidy_tree import depths, tidy_middles
 
 NAME_SIZE: Final = 13.5

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from simkit import Simulation
+from simkit.nodes.turtlesim import Frame
 
 
 @pytest.fixture
@@ -54,3 +55,30 @@ def mutated():
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module.mutated
+
+
+@pytest.fixture
+def frame():
+    """A window of turtlesim with turtle1 in its centre."""
+    frame = Frame()
+    frame.spawn()
+    return frame
+
+
+@pytest.fixture
+def drive_turtle():
+    """Updates a frame so many times, with a fresh command for one turtle before each."""
+    now_ns = 0
+
+    def drive(frame, ticks, velocity=None, turtle="turtle1"):
+        nonlocal now_ns
+        readings = []
+        for _ in range(ticks):
+            now_ns += 16_000_000
+            if velocity is not None:
+                frame.turtle(turtle).command(velocity)
+            by_name = {moved.name: reading for moved, reading in frame.update(now_ns)}
+            readings.append(by_name[turtle])
+        return readings
+
+    return drive

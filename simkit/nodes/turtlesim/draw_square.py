@@ -14,7 +14,7 @@ from typing import Any
 from simkit.errors import UnknownNameError
 from simkit.graph import Node
 from simkit.msgs import Duration, message_class, service_class
-from simkit.nodes.turtlesim.float32 import float32
+from simkit.nodes.turtlesim.window import float32
 
 PERIOD_NS = 16_000_000
 SIDE = 2.0  # [m]

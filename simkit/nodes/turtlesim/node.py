@@ -1,6 +1,8 @@
 """turtlesim_node: the window of turtles as a node, with its services, parameters and timer.
 
-Source: turtlesim `TurtleFrame`: texts of the log, order of events, and what each service does.
+Each turtle has topics and services in the namespace of its name.
+
+Source: turtlesim `TurtleFrame` and `Turtle`: texts of the log, order of events, and what each service does.
 """
 
 from __future__ import annotations
@@ -10,10 +12,9 @@ from typing import Any
 
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.graph import Node, ServiceFailed
-from simkit.msgs import Duration, Message, service_class
-from simkit.nodes.turtlesim.endpoints import TurtleEndpoints
+from simkit.msgs import Duration, Message, message_class, service_class
 from simkit.nodes.turtlesim.frame import Frame, TurtleExistsError
-from simkit.nodes.turtlesim.picture import Picture
+from simkit.nodes.turtlesim.state import Reading, Velocity, new_pen
 from simkit.nodes.turtlesim.turtle import Turtle
 from simkit.nodes.turtlesim.window import BACKGROUND, CENTRE, TICK_NS, Rgb
 
@@ -32,7 +33,7 @@ class TurtlesimNode:
 
     def __init__(self, node: Node, _argv: list[str]) -> None:
         self._node = node
-        self._endpoints: dict[str, TurtleEndpoints] = {}
+        self._endpoints: dict[str, _TurtleEndpoints] = {}
         self._is_ticking = False
         for name, default in zip(PARAMETERS, BACKGROUND, strict=True):
             if not node.has_param(name):
@@ -48,14 +49,6 @@ class TurtlesimNode:
         node.info(f"Starting turtlesim with node name {node.name}")
         self._welcome(self.frame.spawn(), x=CENTRE, y=CENTRE, theta=0.0)
         node.create_timer(Duration.from_nsec(TICK_NS), self._tick)
-
-    def picture(self, *, names: bool = False) -> Picture:
-        """What the window shows now.
-
-        Args:
-            names: Write each turtle's name below it.
-        """
-        return Picture(self.frame, names=names)
 
     def tell(self, url: str) -> None:
         """Print where the window is, for a person at a terminal."""
@@ -112,7 +105,7 @@ class TurtlesimNode:
         return response
 
     def _welcome(self, turtle: Turtle, *, x: float, y: float, theta: float) -> None:
-        self._endpoints[turtle.name] = TurtleEndpoints(self._node, turtle)
+        self._endpoints[turtle.name] = _TurtleEndpoints(self._node, turtle)
         self._node.info(
             f"Spawning turtle [{turtle.name}] at x=[{x:f}], y=[{y:f}], theta=[{theta:f}]"
         )
@@ -133,3 +126,85 @@ def _color_part(value: object, default: int) -> int:
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
         return default
     return math.floor(value + 0.5) & 0xFF
+
+
+class _TurtleEndpoints:
+    """Connects a turtle to the graph until closed.
+
+    Args:
+        node: The node that offers the topics and services.
+        turtle: The turtle behind them.
+    """
+
+    def __init__(self, node: Node, turtle: Turtle) -> None:
+        self._node = node
+        self._turtle = turtle
+        self._pose_class: Any = message_class("turtlesim/Pose")
+        self._color_class: Any = message_class("turtlesim/Color")
+        self._set_pen_class = service_class("turtlesim/SetPen")
+        self._absolute_class = service_class("turtlesim/TeleportAbsolute")
+        self._relative_class = service_class("turtlesim/TeleportRelative")
+        name = turtle.name
+        self._commands = node.subscribe(
+            f"{name}/cmd_vel", message_class("geometry_msgs/Twist"), self._on_command, queue_size=1
+        )
+        self._poses = node.advertise(f"{name}/pose", self._pose_class, queue_size=1)
+        self._colors = node.advertise(f"{name}/color_sensor", self._color_class, queue_size=1)
+        self._servers = (
+            node.advertise_service(f"{name}/set_pen", self._set_pen_class, self._set_pen),
+            node.advertise_service(
+                f"{name}/teleport_relative", self._relative_class, self._relative
+            ),
+            node.advertise_service(
+                f"{name}/teleport_absolute", self._absolute_class, self._absolute
+            ),
+        )
+
+    def publish(self, reading: Reading) -> None:
+        """Tell the graph what an update of the turtle gave."""
+        if reading.clamped_from is not None:
+            x, y = reading.clamped_from
+            self._node.warn(f"Oh no! I hit the wall! (Clamping from [x={x:f}, y={y:f}])")
+        pose = reading.pose
+        self._poses.publish(
+            self._pose_class(
+                x=pose.x,
+                y=pose.y,
+                theta=pose.theta,
+                linear_velocity=pose.linear_velocity,
+                angular_velocity=pose.angular_velocity,
+            )
+        )
+        red, green, blue = reading.color
+        self._colors.publish(self._color_class(r=red, g=green, b=blue))
+
+    def close(self) -> None:
+        """Withdraw the turtle's topics and services."""
+        self._commands.unregister()
+        self._poses.unregister()
+        self._colors.unregister()
+        for server in self._servers:
+            server.shutdown()
+
+    def _on_command(self, twist: Any) -> None:
+        self._turtle.command(Velocity(x=twist.linear.x, y=twist.linear.y, angular=twist.angular.z))
+
+    def _set_pen(self, request: Any) -> Message:
+        if request.off:
+            self._turtle.pen = self._turtle.pen.lifted()
+        else:
+            self._turtle.pen = new_pen((request.r, request.g, request.b), request.width)
+        return _response(self._set_pen_class)
+
+    def _relative(self, request: Any) -> Message:
+        self._turtle.teleport_relative(request.linear, request.angular)
+        return _response(self._relative_class)
+
+    def _absolute(self, request: Any) -> Message:
+        self._turtle.teleport_absolute(request.x, request.y, theta=request.theta)
+        return _response(self._absolute_class)
+
+
+def _response(service: Any) -> Message:
+    response: Message = service._response_class()
+    return response

@@ -13,11 +13,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from simkit.nodes.turtlesim.float32 import float32
 from simkit.nodes.turtlesim.paper import Paper
-from simkit.nodes.turtlesim.pen import Pen
-from simkit.nodes.turtlesim.state import PoseSample, Reading, TurtlePose, Velocity
-from simkit.nodes.turtlesim.window import COMMAND_LIFETIME_NS, SIDE, TICK, Point
+from simkit.nodes.turtlesim.state import Pen, PoseSample, Reading, TurtlePose, Velocity
+from simkit.nodes.turtlesim.window import COMMAND_LIFETIME_NS, SIDE, TICK, Point, float32
 
 PI = 3.14159265  # turtlesim's own, so that headings wrap where they wrap there
 

@@ -5,7 +5,20 @@ Source: turtlesim `TurtleFrame` (500 px window, turtle images of 45 px, Qt timer
 
 from __future__ import annotations
 
-from simkit.nodes.turtlesim.float32 import float32
+import math
+import struct
+
+_FLOAT32 = struct.Struct("<f")
+
+
+def float32(value: float) -> float:
+    """The nearest 32-bit float, which is what turtlesim publishes; infinite where `value` is too large, as in C++."""
+    try:
+        rounded: float = _FLOAT32.unpack(_FLOAT32.pack(value))[0]
+    except OverflowError:
+        return math.copysign(math.inf, value)
+    return rounded
+
 
 Rgb = tuple[int, int, int]
 """Red, green and blue, each 0 to 255."""

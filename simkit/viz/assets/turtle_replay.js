@@ -1,4 +1,4 @@
-// Plays what turtles did. Data: see TurtleReplay in turtle_replay.py; rows are [time, x, y, ...].
+// Plays what turtles did. Data: see TurtleReplay in turtlesim/replay.py; rows are [time, x, y, ...].
 (() => {
   const tape = JSON.parse(document.getElementById("data").textContent);
   const [paper, trails] = ["paper", "trails"].map((id) => document.getElementById(id));

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import TYPE_CHECKING, Final
 
-from simkit.viz.letters import shortened
+from simkit.viz.draw.letters import shortened
 from simkit.viz.plots.joint_series import QUANTITIES, JointSeries, joint_series
 from simkit.viz.plots.plot import Plot, finish, line_color, panels
 from simkit.viz.transform_series import RecordedTopics

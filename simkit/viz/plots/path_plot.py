@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
 from simkit.errors import SimkitError
-from simkit.viz.letters import shortened
+from simkit.viz.draw.letters import shortened
 from simkit.viz.plots.path_series import TYPE, PathSeries, end_error, laid_on, path_series, within
 from simkit.viz.plots.plot import Plot, finish, line_color
 from simkit.viz.plots.recorded import recorded_topic, topics_of

@@ -35,21 +35,21 @@ class Plot:
 
     def to_svg(self) -> str:
         """The figure as an SVG document; equal data give equal text."""
-        from simkit.viz.plain_matplotlib import plain_settings, svg_of
+        from simkit.viz.draw.figure import plain_settings, svg_of
 
         with plain_settings():
             return svg_of(self.figure(), title=self.title)
 
     def to_png(self) -> bytes:
         """The figure as a PNG file."""
-        from simkit.viz.plain_matplotlib import plain_settings, png_of
+        from simkit.viz.draw.figure import plain_settings, png_of
 
         with plain_settings():
             return png_of(self.figure(), title=self.title)
 
     def to_pdf(self) -> bytes:
         """The figure as a PDF file of one page."""
-        from simkit.viz.plain_matplotlib import pdf_of, plain_settings
+        from simkit.viz.draw.figure import pdf_of, plain_settings
 
         with plain_settings():
             return pdf_of(self.figure(), title=self.title)

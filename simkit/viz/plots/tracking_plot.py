@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from simkit.errors import UnknownNameError
 from simkit.msgs import Time
-from simkit.viz.letters import shortened
+from simkit.viz.draw.letters import shortened
 from simkit.viz.plots.plot import Plot, finish, line_color, panels
 from simkit.viz.plots.recorded import recorded_topic, timed
 from simkit.viz.transform_series import RecordedTopics

@@ -10,7 +10,7 @@ import numpy as np
 
 from simkit.geometry import Quaternion, Transform, Vector, rotate
 from simkit.viz import scene_style as style
-from simkit.viz.letters import shortened
+from simkit.viz.draw.letters import shortened
 from simkit.viz.marks import Marks, Polyline
 from simkit.viz.surfaces import rotation_array
 from simkit.viz.topics.displays import LaserScanDisplay, OdometryDisplay, TopicDisplay, label

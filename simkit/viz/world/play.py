@@ -9,10 +9,10 @@ from typing import Final
 
 from simkit.errors import UnknownNameError
 from simkit.geometry import Vector
+from simkit.viz.draw.thinning import Row, thinned
 from simkit.viz.marks import Marks
 from simkit.viz.scene import Scene
 from simkit.viz.tf_scene import FramePose
-from simkit.viz.thinning import Row, thinned
 from simkit.viz.topics.topic_marks import Shown
 from simkit.viz.topics.topic_tape import TopicTrack
 from simkit.viz.transform_series import RecordedTopics

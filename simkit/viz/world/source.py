@@ -9,7 +9,7 @@ from typing import Final
 from simkit.errors import UnknownNameError
 from simkit.geometry import Vector
 from simkit.physics import Model
-from simkit.viz.letters import shortened
+from simkit.viz.draw.letters import shortened
 from simkit.viz.marks import Marks
 from simkit.viz.scene import LONGEST, Scene
 from simkit.viz.tf_scene import FramePose, TfScene

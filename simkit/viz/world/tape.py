@@ -10,7 +10,7 @@ from simkit.geometry import Vector
 from simkit.graph import Node
 from simkit.msgs import Duration
 from simkit.physics import Contact, Model
-from simkit.viz.thinning import Row
+from simkit.viz.draw.thinning import Row
 from simkit.viz.world.marks import scan_points
 from simkit.viz.world.scene import Actor, link_poses, make_actor
 from simkit.viz.world.source import things_in

@@ -10,8 +10,8 @@ from typing import Any, Final
 
 from simkit.errors import UnknownNameError
 from simkit.geometry import Transform, Vector
+from simkit.viz.draw.thinning import Row
 from simkit.viz.marks import Marks
-from simkit.viz.thinning import Row
 from simkit.viz.topics.topic_marks import Shown
 from simkit.viz.topics.topic_tape import TopicTrack
 from simkit.viz.transform_series import RecordedTopics

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from matplotlib.image import imread
 
+from simkit.viz.draw.svg import svg_text
 from simkit.viz.rviz_still import SIZE, still_drawing, still_png
 from simkit.viz.scene import Displays, make_scene
 from simkit.viz.scene_raster import scene_pixels
-from simkit.viz.svg import svg_text
 
 
 def test_it_names_every_frame_and_says_what_is_wrong(two_trees, texts):

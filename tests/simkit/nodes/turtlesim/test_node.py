@@ -197,7 +197,3 @@ def test_two_windows_share_nothing(bench) -> None:
     bench.run(0.5)
     assert len(one.frame.paper.strokes) == 1
     assert two.frame.paper.strokes == ()
-
-
-def test_a_picture_can_be_taken_at_any_time(bench, window) -> None:
-    assert window.picture(names=True).to_svg().count(">turtle1<") == 1

@@ -9,8 +9,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from simkit.viz.live_view import SvgPicture
+from simkit.nodes.turtlesim import Frame
 from simkit.viz.page import html_page
+from simkit.viz.turtlesim.picture import Picture
 
 if TYPE_CHECKING:
     from simkit.viz.live_server import LiveServer
@@ -41,7 +42,7 @@ class LiveTurtlesim:
     It is drawn only while somebody looks. What is shown never reaches the simulation.
 
     Args:
-        draw: Makes the picture of this moment.
+        frame: The window of turtlesim.
         is_over: Asked before each look; the server ends when it holds.
         clock: Wall-clock time [s].
 
@@ -51,14 +52,14 @@ class LiveTurtlesim:
 
     def __init__(
         self,
-        draw: Callable[[], SvgPicture],
+        frame: Frame,
         *,
         is_over: Callable[[], bool] = lambda: False,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         from simkit.viz.live_server import LiveServer
 
-        self._draw = draw
+        self._frame = frame
         self._is_over = is_over
         self._clock = clock
         self._next_time = 0.0
@@ -97,7 +98,7 @@ class LiveTurtlesim:
         self._end()
 
     def _state(self) -> TurtlesimState:
-        return TurtlesimState(svg=self._draw()._repr_svg_())
+        return TurtlesimState(svg=Picture(self._frame, names=True).to_svg())
 
     def _page(self, svg: str) -> str:
         return html_page(

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from simkit.errors import UnknownNameError
-from simkit.nodes.turtlesim import Frame, Pen, Picture, Reading, Velocity
+from simkit.nodes.turtlesim import Frame, Pen, Reading, Velocity
+from simkit.viz.turtlesim.picture import Picture
 
 Drive = Callable[..., list[Reading]]
 SVG = "{http://www.w3.org/2000/svg}"

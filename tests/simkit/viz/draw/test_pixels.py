@@ -5,7 +5,7 @@ import io
 import numpy as np
 from matplotlib.image import imread
 
-from simkit.viz.png_file import png_of_pixels
+from simkit.viz.draw.pixels import png_of_pixels
 
 
 def test_the_file_holds_the_pixels():

@@ -5,8 +5,20 @@ from __future__ import annotations
 import html
 from functools import singledispatch
 
-from simkit.viz.drawing import SANS, Area, Box, Curve, Drawing, Group, Line, Point, Shape, Text
-from simkit.viz.letters import printable
+from simkit.viz.draw.drawing import (
+    SANS,
+    Area,
+    Box,
+    Curve,
+    Drawing,
+    Ellipse,
+    Group,
+    Line,
+    Point,
+    Shape,
+    Text,
+)
+from simkit.viz.draw.letters import printable
 
 
 def svg_text(drawing: Drawing) -> str:
@@ -19,7 +31,7 @@ def svg_text(drawing: Drawing) -> str:
         f"<title>{_escaped(drawing.title)}</title>",
         f"<desc>{_escaped(drawing.description)}</desc>",
         f'<rect width="{width}" height="{height}" fill="{drawing.background}"/>',
-        *(_element(shape) for shape in drawing.shapes),
+        *(svg_element(shape) for shape in drawing.shapes),
         "</svg>",
     ]
     return "\n".join(lines) + "\n"
@@ -32,29 +44,40 @@ def number(value: float) -> str:
 
 
 @singledispatch
-def _element(shape: Shape) -> str:
+def svg_element(shape: Shape) -> str:
+    """One shape as an SVG element."""
     raise NotImplementedError(f"no SVG for {type(shape).__name__}")
 
 
-@_element.register
+@svg_element.register
 def _(shape: Line) -> str:
     points = " ".join(_pair(point) for point in shape.points)
     return f'<polyline points="{points}" {_stroke(shape)} stroke-linejoin="round"/>'
 
 
-@_element.register
+@svg_element.register
 def _(shape: Curve) -> str:
     start, first, second, end = (_pair(point) for point in shape.points)
     return f'<path d="M{start} C{first} {second} {end}" {_stroke(shape)}/>'
 
 
-@_element.register
+@svg_element.register
 def _(shape: Area) -> str:
     points = " ".join(_pair(point) for point in shape.points)
     return f'<polygon points="{points}" fill="{shape.fill}"/>'
 
 
-@_element.register
+@svg_element.register
+def _(shape: Ellipse) -> str:
+    (x, y), (rx, ry) = shape.center, shape.radii
+    turn = f" rotate({number(shape.angle)})" if shape.angle else ""
+    return (
+        f'<ellipse rx="{number(rx)}" ry="{number(ry)}" fill="{shape.fill}" '
+        f'transform="translate({number(x)} {number(y)}){turn}"/>'
+    )
+
+
+@svg_element.register
 def _(shape: Box) -> str:
     (x, y), (width, height) = shape.corner, shape.size
     return (
@@ -64,7 +87,7 @@ def _(shape: Box) -> str:
     )
 
 
-@_element.register
+@svg_element.register
 def _(shape: Text) -> str:
     x, y = shape.place
     looks = [f'font-size="{number(shape.size)}"', f'fill="{shape.color}"']
@@ -79,10 +102,17 @@ def _(shape: Text) -> str:
     return f'<text x="{number(x)}" y="{number(y)}" {" ".join(looks)}>{_escaped(shape.text)}</text>'
 
 
-@_element.register
+@svg_element.register
 def _(shape: Group) -> str:
-    inner = "\n".join(_element(part) for part in shape.shapes)
-    return f"<g>\n<title>{_escaped(shape.title)}</title>\n{inner}\n</g>"
+    inner = "\n".join(svg_element(part) for part in shape.shapes)
+    place = "" if shape.origin is None else f' transform="{placed(shape.origin, shape.angle)}"'
+    return f"<g{place}>\n<title>{_escaped(shape.title)}</title>\n{inner}\n</g>"
+
+
+def placed(origin: Point, angle: float) -> str:
+    """The value of a `transform` that turns by an angle [degrees] and moves to a point [px]."""
+    x, y = origin
+    return f"translate({number(x)} {number(y)}) rotate({number(angle)})"
 
 
 def _escaped(text: str) -> str:

@@ -1,6 +1,7 @@
 """What a picture is made of; `svg` and `figure` both draw these and nothing else.
 
-Coordinates are pixels, x to the right, y down. Colours are `#rrggbb`, or empty for none.
+Coordinates are pixels, x to the right, y down; inside a `Group` they are the group's own. Colours are
+`#rrggbb`, or empty for none.
 """
 
 from __future__ import annotations
@@ -54,6 +55,20 @@ class Area:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Ellipse:
+    """A filled ellipse."""
+
+    center: Point
+    """Its middle [px]."""
+    radii: Point
+    """Half its length along its own x and y [px]."""
+    fill: str
+    """Colour of the area."""
+    angle: float = 0.0
+    """Turn of its x, clockwise on the screen [degrees]."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Box:
     """A rectangle with round corners."""
 
@@ -91,17 +106,25 @@ class Text:
     """Colour around the letters, for text on top of lines."""
 
 
+Plain: TypeAlias = Line | Curve | Area | Ellipse | Box | Text
+"""A shape that is drawn by itself."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Group:
-    """Shapes that are one thing."""
+    """Shapes that are one thing, moved and turned as one."""
 
     title: str
     """What it is, for screen readers and tooltips."""
-    shapes: tuple[Line | Curve | Area | Box | Text, ...]
+    shapes: tuple[Plain, ...]
     """The shapes, lowest first."""
+    origin: Point | None = None
+    """Where the group's own origin lies [px]; that of the drawing if None."""
+    angle: float = 0.0
+    """Turn of the group's x about its origin, clockwise on the screen [degrees]."""
 
 
-Shape: TypeAlias = Line | Curve | Area | Box | Text | Group
+Shape: TypeAlias = Plain | Group
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,39 +1,71 @@
-"""The HTML of a replay of turtlesim: the window as SVG, buttons, and the poses as a table.
+"""A run of turtlesim as one HTML file: press play and watch the turtles move again.
 
-Without JavaScript it shows the end.
+The page has the window as SVG, buttons, and the poses as a table. Without JavaScript it shows the end.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from pathlib import Path
 from typing import Any, Final
 
-from simkit.nodes.turtlesim.svg import svg_element
-from simkit.nodes.turtlesim.turtle_shape import turtle_shapes
+from simkit.nodes.turtlesim import Frame
 from simkit.nodes.turtlesim.window import METRE_PX, SIDE, SIDE_PX
-from simkit.viz.letters import shortened
-from simkit.viz.page import escaped, html_page
-from simkit.viz.svg import number
+from simkit.saving import save_as
+from simkit.viz.draw.letters import shortened
+from simkit.viz.draw.svg import number, placed, svg_element
+from simkit.viz.draw.thinning import Row
+from simkit.viz.page import escaped, html_page, inline_frame
 from simkit.viz.tape_controls import tape_controls
-from simkit.viz.thinning import Row
-from simkit.viz.turtle_tape import Motion, Trail, TurtleTape
+from simkit.viz.turtlesim.picture import turtle_shapes
+from simkit.viz.turtlesim.tape import Motion, Trail, TurtleTape, turtle_tape
 
-TITLE: Final = "Replay of turtlesim"
+_TITLE: Final = "Replay of turtlesim"
 _LONGEST = 30
 
 
-def replay_page(tape: TurtleTape) -> str:
-    """The page for a run."""
-    return html_page(
-        title=TITLE,
-        name="turtle_replay",
-        body=_body(tape),
-        data=_data(tape),
-        scripts=("tape", "turtle_replay"),
-    )
+class TurtleReplay:
+    """The turtles and their trails from the beginning until now; it does not change afterwards.
+
+    It has a button to play, a slider over virtual time and a choice of speeds, and needs neither
+    a server nor a network: it also works in a file and in a saved notebook.
+
+    Args:
+        frame: The window of turtlesim.
+
+    Attributes:
+        tape: What is shown, as numbers.
+    """
+
+    def __init__(self, frame: Frame) -> None:
+        self.tape: TurtleTape = turtle_tape(frame)
+
+    def to_html(self) -> str:
+        """The replay as one HTML file; equal runs give equal text."""
+        return html_page(
+            title=_TITLE,
+            name="turtle_replay",
+            body=_body(self.tape),
+            data=_data(self.tape),
+            scripts=("tape", "turtle_replay"),
+        )
+
+    def save(self, path: str | Path) -> None:
+        """Write the replay to an `.html` file.
+
+        Raises:
+            UnknownNameError: The suffix is another one.
+        """
+        save_as(path, {".html": self.to_html}, kind="replay format")
+
+    def __repr__(self) -> str:
+        return f"TurtleReplay({self.tape.duration:.2f} s, {len(self.tape.motions)} turtles)"
+
+    def _repr_html_(self) -> str:
+        return inline_frame(self.to_html(), title=_TITLE, height=_page_height(self.tape))
 
 
-def page_height(tape: TurtleTape) -> int:
+def _page_height(tape: TurtleTape) -> int:
     """Room that the page needs inside another [px]; what is more is scrolled."""
     return 600 + 27 * min(len(tape.motions), 6)
 
@@ -68,11 +100,10 @@ def _turtle(motion: Motion) -> str:
     _, x, y, heading = motion.rows[-1] if motion.rows else (0.0, 0.0, 0.0, 0.0)
     hidden = "" if motion.until is None and motion.rows else ' style="display:none"'
     body = "".join(svg_element(shape) for shape in turtle_shapes(motion.number))
-    place = f"translate({number(x)} {number(y)})"
     return (
         f'<g class="turtle"{hidden}>'
-        f'<g transform="{place} rotate({number(-heading)})">{body}</g>'
-        f'<text y="38" transform="{place}">{escaped(shortened(motion.name, _LONGEST))}</text></g>'
+        f'<g transform="{placed((x, y), -heading)}">{body}</g>'
+        f'<text y="38" transform="translate({number(x)} {number(y)})">{escaped(shortened(motion.name, _LONGEST))}</text></g>'
     )
 
 

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import string
+from itertools import combinations
 
 import pytest
 from hypothesis import given
@@ -8,7 +9,7 @@ from hypothesis import strategies as st
 from matplotlib import get_data_path
 from matplotlib.ft2font import FT2Font
 
-from simkit.viz.letters import printable, shortened, text_width, wrapped
+from simkit.viz.draw.letters import label_places, printable, shortened, text_width, wrapped
 
 
 @pytest.fixture(scope="module")
@@ -49,3 +50,39 @@ def test_wrapped_loses_no_word_and_fits(words, width):
     lines = wrapped(" ".join(words), size=10, width=width)
     assert " ".join(lines).split() == words
     assert all(text_width(line, 10) <= width or " " not in line for line in lines)
+
+
+SIZE = (700.0, 400.0)
+HEIGHT = 17.0
+
+
+@given(
+    st.lists(
+        st.tuples(st.floats(0, 700), st.floats(0, 400), st.floats(10, 150)), min_size=1, max_size=12
+    )
+)
+def test_names_do_not_cover_each_other(items):
+    anchors, widths = [(x, y) for x, y, _ in items], [width for _, _, width in items]
+    places = label_places(anchors, widths=widths, height=HEIGHT, size=SIZE)
+    written = [(place, width) for place, width in zip(places, widths, strict=True) if place]
+    assert written
+    assert all(HEIGHT / 2 <= y <= SIZE[1] - HEIGHT / 2 for (_, y), _ in written)
+    for (a, wa), (b, wb) in combinations(written, 2):
+        assert a[0] + wa <= b[0] or b[0] + wb <= a[0] or abs(a[1] - b[1]) >= HEIGHT
+
+
+def test_frames_in_one_place_are_listed_below_each_other():
+    places = label_places([(100, 100)] * 3, widths=[60, 60, 60], height=HEIGHT, size=SIZE)
+    assert places[0] == (109, 110)
+    assert len(set(places)) == 3
+
+
+def test_at_the_right_edge_a_name_goes_to_the_left():
+    ((left, _),) = label_places([(690, 100)], widths=[60], height=HEIGHT, size=SIZE)
+    assert left + 60 < 690
+
+
+def test_a_name_that_has_no_room_is_left_out():
+    places = label_places([(100, 100)] * 60, widths=[60] * 60, height=HEIGHT, size=SIZE)
+    assert None not in places[:20]
+    assert None in places

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from simkit.viz.turtle_tape import turtle_tape
+from simkit.viz.turtlesim.tape import turtle_tape
 
 
 def at(rows, time):

@@ -1,9 +1,12 @@
-"""How much room text takes, without asking a font: the same on every machine."""
+"""How much room text takes, without asking a font: the same on every machine; and where there is room for names."""
 
 from __future__ import annotations
 
 import unicodedata
+from collections.abc import Sequence
 from typing import Final
+
+from simkit.viz.draw.drawing import Point
 
 _ASCII: Final = (
     *(318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337),
@@ -17,6 +20,12 @@ _ASCII: Final = (
 
 _OTHER: Final = 1.1
 _WIDE: Final = 1.4
+
+
+_BELOW = 10.0
+"A name is a little below its point, where no axis that points up hides it [px]."
+_STEPS = (0, -1, 1, -2, 2, -3, 3, -4, 4, 5, 6, 7, 8)
+"Tried places, in lines below the point."
 
 
 def text_width(text: str, size: float) -> float:
@@ -68,8 +77,46 @@ def wrapped(text: str, *, size: float, width: float) -> list[str]:
     return lines
 
 
+def label_places(
+    anchors: Sequence[Point], *, widths: Sequence[float], height: float, size: Point
+) -> list[Point | None]:
+    """Left end of each name's middle line [px]; None for a name that has no room.
+
+    Args:
+        anchors: The points.
+        widths: Room for each name [px].
+        height: Room for a line [px].
+        size: Width and height of the picture, which no name should leave.
+    """
+    taken: list[tuple[float, float, float]] = []
+    places: list[Point | None] = []
+    for (x, y), width in zip(anchors, widths, strict=True):
+        right, left = x + 9, x - 9 - width
+        sides = (right, left) if right + width <= size[0] else (left, right)
+        tried = [(side, y + _BELOW + step * height) for step in _STEPS for side in sides]
+        seen = [place for place in tried if height / 2 <= place[1] <= size[1] - height / 2]
+        free = (place for place in seen if not _hits(place, width, height, taken))
+        place = next(free, None)
+        if place is not None:
+            taken.append((*place, width))
+        places.append(place)
+    return places
+
+
 def _letter_width(letter: str) -> float:
     code = ord(letter)
     if 32 <= code < 127:
         return _ASCII[code - 32] / 1000
     return _WIDE if unicodedata.east_asian_width(letter) in "WF" else _OTHER
+
+
+def _hits(
+    place: Point, width: float, height: float, taken: Sequence[tuple[float, float, float]]
+) -> bool:
+    left, middle = place
+    return any(
+        left < other_left + other_width
+        and other_left < left + width
+        and abs(middle - other_middle) < height
+        for other_left, other_middle, other_width in taken
+    )

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from simkit.nodes.turtlesim import Frame, Picture, TurtlesimNode
+from simkit.nodes.turtlesim import Frame, TurtlesimNode
 from simkit.viz.live_view import LiveView
-from simkit.viz.turtle_replay import TurtleReplay
+from simkit.viz.turtlesim.picture import Picture
+from simkit.viz.turtlesim.replay import TurtleReplay
 
 
 class TurtlesimView:
@@ -34,7 +35,7 @@ class TurtlesimView:
         Args:
             names: Write each turtle's name below it.
         """
-        return self._node.picture(names=names)
+        return Picture(self._node.frame, names=names)
 
     def replay(self) -> TurtleReplay:
         """Everything that happened in the window so far, to be played again."""
@@ -46,6 +47,6 @@ class TurtlesimView:
         Args:
             names: Write each turtle's name below it.
         """
-        view = LiveView(lambda: self._node.picture(names=names))
+        view = LiveView(lambda: self.picture(names=names))
         self._add_view(view.refresh)
         return view

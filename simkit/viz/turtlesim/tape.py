@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from simkit.nodes.turtlesim import Frame, Stroke, Turtle, TurtlePose
 from simkit.nodes.turtlesim.window import TICK, TICK_NS, hex_color, pixel
-from simkit.viz.thinning import Row, thinned
+from simkit.viz.draw.thinning import Row, thinned
 
 _PIXELS, _DEGREES = 0.15, 0.8
 "Nobody sees a turtle that is off by so much."

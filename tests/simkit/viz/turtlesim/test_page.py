@@ -8,28 +8,15 @@ import urllib.request
 import pytest
 
 from simkit import Simulation
-from simkit.viz.live_turtlesim import LiveTurtlesim, TurtlesimState
-
-
-class Drawn:
-    def __init__(self, svg):
-        self.svg = svg
-
-    def _repr_svg_(self):
-        return self.svg
+from simkit.viz.turtlesim.page import LiveTurtlesim, TurtlesimState
 
 
 @pytest.fixture
-def watched():
-    """A page of pictures that are counted, with a clock that the test sets."""
-    drawn, now = [], [0.0]
-
-    def draw():
-        drawn.append(None)
-        return Drawn(f"<svg>{len(drawn)}</svg>")
-
-    page = LiveTurtlesim(draw, clock=lambda: now[0])
-    yield page, drawn, now
+def watched(frame):
+    """A page of a window with a turtle, what its viewers were told, and a clock that the test sets."""
+    now = [0.0]
+    page = LiveTurtlesim(frame, clock=lambda: now[0])
+    yield page, now
     page.close()
 
 
@@ -41,22 +28,23 @@ def test_a_viewer_is_told_only_what_it_does_not_know():
 
 
 def test_nothing_is_drawn_while_nobody_looks_and_not_too_often(watched, monkeypatch):
-    page, drawn, now = watched
+    page, now = watched
+    told = []
+    monkeypatch.setattr(page._server, "update", told.append)
     page.refresh()
-    assert len(drawn) == 1  # the one it began with
-    monkeypatch.setattr(page._server, "_viewers", {object()}, raising=True)
-    monkeypatch.setattr(page._server, "update", lambda state: None)
+    assert told == []
+    monkeypatch.setattr(page._server, "_viewers", {object()})
     page.refresh()
     page.refresh()
-    assert len(drawn) == 2
+    assert len(told) == 1
     now[0] = 0.06
     page.refresh()
-    assert len(drawn) == 3
-    page._server._viewers.clear()
+    assert len(told) == 2
+    monkeypatch.undo()
 
 
 def test_the_page_may_talk_to_its_own_server_only(watched):
-    page, _, _ = watched
+    page, _ = watched
     with urllib.request.urlopen(page.url) as answer:
         text = answer.read().decode()
     assert f"connect-src {page._server.socket_url}" in text

@@ -4,8 +4,8 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-from simkit.viz.drawing import Area, Box, Curve, Drawing, Group, Line, Text
-from simkit.viz.svg import number, svg_text
+from simkit.viz.draw.drawing import Area, Box, Curve, Drawing, Group, Line, Text
+from simkit.viz.draw.svg import number, svg_text
 
 SVG = "{http://www.w3.org/2000/svg}"
 

@@ -7,8 +7,8 @@ import matplotlib.image
 import numpy as np
 import pytest
 
-from simkit.viz.drawing import Area, Box, Curve, Drawing, Group, Line, Text
-from simkit.viz.figure import pdf_bytes, png_bytes
+from simkit.viz.draw.drawing import Area, Box, Curve, Drawing, Group, Line, Text
+from simkit.viz.draw.figure import pdf_bytes, png_bytes
 
 
 @pytest.fixture
