@@ -48,35 +48,23 @@ MAY_IMPORT = {
     "simkit.physics",
     "simkit.gazebo": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
     "simkit.urdf simkit.urdf.rules simkit.packages simkit.tools simkit.physics simkit.plugins",
-    "simkit.seeing_world": "simkit.errors simkit.gazebo simkit.graph simkit.nodes.gzclient simkit.recording simkit.running "
-    "simkit.seeing simkit.viz simkit.viz.world",
-    "simkit.plotting": "simkit.errors simkit.gazebo simkit.graph simkit.physics simkit.recording simkit.viz",
-    "simkit.steering": "simkit.errors simkit.graph simkit.msgs simkit.viz",
-    "simkit.simulating": "simkit.errors simkit.graph simkit.gazebo simkit.packages simkit.physics "
-    "simkit.running simkit.urdf",
     "simkit.launch": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
-    "simkit.urdf simkit.urdf.rules simkit.packages simkit.nodes simkit.running simkit.tools simkit.xacro",
-    "simkit.launching": "simkit.graph simkit.launch simkit.packages simkit.running simkit.simulating",
+    "simkit.urdf simkit.urdf.rules simkit.packages simkit.nodes simkit.tools simkit.xacro",
     "simkit.packages": "simkit.errors simkit.record",
     "simkit.xacro": "simkit.errors simkit.packages",
     "simkit.new_package": "simkit.errors simkit.msgs simkit.nodes simkit.packages",
-    "simkit.recording": "simkit.errors simkit.msgs simkit.graph",
-    "simkit.running": "simkit.graph simkit.nodes simkit.packages",
-    "simkit.seeing": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.nodes simkit.packages "
-    "simkit.nodes.joint_state_publisher simkit.nodes.rviz simkit.recording simkit.running simkit.steering simkit.viz",
-    "simkit.talking": "simkit.errors simkit.msgs simkit.graph simkit.recording",
-    "simkit.simulation": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tf.listener "
-    "simkit.nodes simkit.packages simkit.recording simkit.running simkit.seeing simkit.talking "
-    "simkit.launch simkit.launching simkit.plotting simkit.seeing_world simkit.simulating simkit.steering",
+    "simkit.simulation": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tf.listener simkit.nodes simkit.packages "
+    "simkit.tools simkit.gazebo simkit.launch simkit.physics simkit.urdf simkit.viz simkit.viz.world "
+    "simkit.nodes.joint_state_publisher simkit.nodes.rviz simkit.nodes.gzclient",
     # pictures of what is known; a simulation hands them out, lazily
     "simkit.viz": "simkit.errors simkit.saving simkit.msgs simkit.graph simkit.tf simkit.diagnostics simkit.tools "
-    "simkit.nodes simkit.nodes.joint_state_publisher simkit.packages simkit.recording simkit.urdf",
+    "simkit.nodes simkit.nodes.joint_state_publisher simkit.packages simkit.urdf",
     "simkit.viz.world": "simkit.errors simkit.saving simkit.msgs simkit.graph simkit.tf simkit.packages simkit.physics "
-    "simkit.recording simkit.urdf simkit.urdf.rules simkit.viz simkit.xml",
+    "simkit.urdf simkit.urdf.rules simkit.viz simkit.xml",
     # on top: a simulation on the clock of the wall, and the command line
     "simkit.live": "simkit.errors simkit.launch simkit.msgs simkit.graph simkit.tf simkit.nodes "
-    "simkit.launch simkit.nodes.joint_state_publisher simkit.packages simkit.recording "
-    "simkit.running simkit.simulation simkit.tools",
+    "simkit.launch simkit.nodes.joint_state_publisher simkit.packages "
+    "simkit.simulation simkit.tools",
     "simkit.cli": "simkit",
     "simkit.notebook": "simkit",
     # inside a node process: the node's side of the graph, and the pure parts
@@ -128,7 +116,7 @@ LIBRARIES = {
     ),
     "transformations": ("simkit.tf.transformations", ""),
     "yaml": (
-        "simkit.graph.names simkit.talking simkit.tools",
+        "simkit.graph.names simkit.tools",
         "simkit.msgs.strify simkit.launch simkit.urdf.rules simkit.viz.rviz_config",
     ),
     "matplotlib": ("simkit.viz", ""),

@@ -22,7 +22,7 @@ from simkit.graph.screen import StreamScreen
 from simkit.live.jobs import keys_of_this_terminal
 from simkit.live.moving import offer_moves
 from simkit.live.windows import open_windows
-from simkit.running import RunningBuiltin
+from simkit.nodes.builtin import RunningBuiltin
 from simkit.simulation import Simulation
 
 _Node: TypeAlias = ScriptNode | RunningBuiltin

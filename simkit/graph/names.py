@@ -5,8 +5,9 @@ Source: rosgraph `names` as described on the ROS wiki page "Names".
 
 from __future__ import annotations
 
+import itertools
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import yaml
@@ -39,6 +40,11 @@ def join(namespace: str, name: str) -> str:
     if name[0] in "/~":
         return name
     return namespace.rstrip("/") + "/" + name
+
+
+def free_name(base: str, taken: Container[str]) -> str:
+    """The first of `base_1`, `base_2`, ... that is not taken."""
+    return next(name for n in itertools.count(1) if (name := f"{base}_{n}") not in taken)
 
 
 def resolve(name: str, node_name: str, remappings: Mapping[str, str] | None = None) -> str:

@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 from simkit.graph.process import ScriptNode
 from simkit.launch.plan import PlannedNode
-from simkit.running import RunningBuiltin
+from simkit.nodes.builtin import RunningBuiltin
 
 MOST_LINES = 12
 """So many lines of its last words are told."""

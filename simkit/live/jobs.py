@@ -9,7 +9,7 @@ from typing import Protocol
 from simkit.errors import UnknownNameError
 from simkit.graph.process import ScriptNode
 from simkit.live.keyboard import Keyboard
-from simkit.running import RunningBuiltin
+from simkit.nodes.builtin import RunningBuiltin
 from simkit.simulation import Simulation
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from simkit.graph.process import ScriptNode
+from simkit.nodes.builtin import RunningBuiltin
 from simkit.nodes.joint_state_publisher import JointStatePublisherGui
-from simkit.running import RunningBuiltin
 
 
 def offer_moves(nodes: Iterable[ScriptNode | RunningBuiltin]) -> None:

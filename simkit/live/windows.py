@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from simkit.graph.process import ScriptNode
-from simkit.running import RunningBuiltin
+from simkit.nodes.builtin import RunningBuiltin
 from simkit.simulation import Simulation
 
 

@@ -7,7 +7,7 @@ from collections.abc import Collection
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from simkit.graph.names import CommandLine, join
+from simkit.graph.names import CommandLine, free_name, join
 from simkit.packages import PackagePath
 
 if TYPE_CHECKING:
@@ -44,10 +44,8 @@ class BuiltinNode:
         """
         if not self.anonymous or command_line.node_name is not None:
             return command_line
-        number = 1
-        while join(command_line.namespace, f"{self.node_name}_{number}") in taken:
-            number += 1
-        return replace(command_line, node_name=f"{self.node_name}_{number}")
+        name = free_name(join(command_line.namespace, self.node_name), taken)
+        return replace(command_line, node_name=name.rpartition("/")[2])
 
     def __call__(self, node: Node, argv: list[str], packages: PackagePath | None = None) -> object:
         """Start the node.

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from IPython.display import display
 
 from simkit.graph.process import ScriptNode
+from simkit.nodes.builtin import RunningBuiltin
 from simkit.nodes.joint_state_publisher import JointStatePublisherGui
-from simkit.running import RunningBuiltin
 from simkit.simulation import Simulation
 
 

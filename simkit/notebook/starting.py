@@ -9,7 +9,7 @@ from simkit.graph import LogRecord
 from simkit.graph.process import ScriptNode
 from simkit.graph.screen import Screen
 from simkit.launch import Launch
-from simkit.running import RunningBuiltin
+from simkit.nodes.builtin import RunningBuiltin
 from simkit.simulation import Simulation
 
 

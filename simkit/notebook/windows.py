@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from IPython.display import display
 
 from simkit.graph.process import ScriptNode
-from simkit.running import RunningBuiltin
+from simkit.nodes.builtin import RunningBuiltin
 from simkit.simulation import Simulation
 
 

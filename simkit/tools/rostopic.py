@@ -11,17 +11,17 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from simkit.graph import Graph, Node
+from simkit.graph.names import free_name
 from simkit.tools.errors import ToolError
 from simkit.tools.topic_echo import EchoForm, TopicEcho
 from simkit.tools.topic_hz import LONGEST_WINDOW, TopicHz
-from simkit.tools.topic_pub import ONCE_SECONDS, TopicPub, announcement, message_from_words
+from simkit.tools.topic_pub import ONCE_SECONDS, announcement, publish, value_of
 from simkit.tools.topic_search import TopicWatcher, find_topic, similar_topic
 from simkit.tools.world import (
     Bounds,
     World,
     Write,
     address,
-    free_name,
     is_below,
     publishers,
     resolved,
@@ -129,7 +129,7 @@ def echo(
         ToolError: There is no such field, or nothing was said in time.
     """
     bounds = bounds or Bounds()
-    node = world.graph.create_node(free_name(world.graph, "/rostopic"))
+    node = world.graph.create_node(free_name("/rostopic", world.graph.nodes))
     watcher = TopicEcho(node, topic, write, form=form)
     enough = bounds.messages
     _watch(world, node, watcher, bounds, until=lambda: watcher.printed == enough)
@@ -155,7 +155,7 @@ def hz(
         window: So many of the latest messages count.
         bounds: When to stop.
     """
-    node = world.graph.create_node(free_name(world.graph, "/rostopic"))
+    node = world.graph.create_node(free_name("/rostopic", world.graph.nodes))
     watcher = TopicHz(node, topic, write, window=window)
     _watch(world, node, watcher, bounds or Bounds())
 
@@ -189,13 +189,8 @@ def pub(
         ToolError: No such type, or a value does not fit.
         UsageError: A word is not YAML.
     """
-    message = message_from_words(type_name, words, world.now)
-    node = world.graph.create_node(free_name(world.graph, "/rostopic"))
-    try:
-        TopicPub(node, resolved(topic), message, rate=rate, latch=latch)
-    except ToolError:
-        node.shutdown()
-        raise
+    values = [value_of(word) for word in words]
+    node = publish(world.graph, topic, type_name, values, rate=rate, latch=latch)
     write(announcement(rate=rate, once=once))
     if once:
         world.run_until(lambda: False, ONCE_SECONDS)

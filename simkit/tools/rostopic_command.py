@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -10,7 +9,7 @@ from simkit.tools import rostopic
 from simkit.tools.command_line import ArgumentParser, Call
 from simkit.tools.topic_echo import EchoForm
 from simkit.tools.topic_hz import LONGEST_WINDOW
-from simkit.tools.topic_pub import has_fields
+from simkit.tools.topic_pub import has_fields, rate_fault
 
 
 def list_command(call: Call) -> None:
@@ -175,8 +174,8 @@ def _rate(parser: ArgumentParser, word: str) -> float:
         rate = float(word)
     except ValueError:
         parser.error("rate must be a number")
-    if not 0.0 < rate < math.inf:
-        parser.error("rate must be greater than zero")
+    if fault := rate_fault(rate):
+        parser.error(fault)
     return rate
 
 

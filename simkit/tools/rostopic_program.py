@@ -9,7 +9,7 @@ from simkit.tools.program import Program
 from simkit.tools.rostopic_command import read_echo, read_hz, read_pub
 from simkit.tools.topic_echo import TopicEcho
 from simkit.tools.topic_hz import TopicHz
-from simkit.tools.topic_pub import ONCE_SECONDS, TopicPub, announcement, message_from_words
+from simkit.tools.topic_pub import ONCE_SECONDS, TopicPub, announcement, message_of, value_of
 from simkit.tools.topic_search import TopicWatcher
 
 
@@ -34,7 +34,9 @@ class RostopicProgram(Program):
 
     def _pub(self, words: list[str]) -> None:
         line = read_pub(words)
-        message = message_from_words(line.type_name, line.words, self._node.now())
+        message = message_of(
+            line.type_name, [value_of(word) for word in line.words], self._node.now()
+        )
         TopicPub(self._node, line.topic, message, rate=line.rate, latch=line.latch)
         self._print(announcement(rate=line.rate, once=line.once))
         if line.once:

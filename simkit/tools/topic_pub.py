@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import yaml
 
-from simkit.errors import UnknownNameError
-from simkit.graph import Node
+from simkit.errors import SimkitError, UnknownNameError
+from simkit.graph import Graph, Node
+from simkit.graph.names import free_name
 from simkit.msgs import (
     Duration,
     Message,
@@ -21,6 +23,7 @@ from simkit.msgs import (
 )
 from simkit.msgs.definition_text import message_text
 from simkit.tools.errors import ToolError, UsageError, near_hint
+from simkit.tools.world import resolved
 
 ONCE_SECONDS = 3.0
 """How long a message that is published once stays latched [s]."""
@@ -65,22 +68,63 @@ def announcement(*, rate: float | None, once: bool) -> str:
     return f"publishing and latching message{how_long}\n"
 
 
-def message_from_words(type_name: str, words: Sequence[str], now: Time) -> Message:
-    """The message that YAML words mean: one for the whole, or one for each field.
+def publish(
+    graph: Graph,
+    topic: str,
+    type_name: str,
+    values: Sequence[object],
+    *,
+    rate: float | None = None,
+    latch: bool = False,
+) -> Node:
+    """A new node that publishes a message: once and latched, or again and again.
+
+    Args:
+        graph: Where it publishes.
+        topic: Topic name.
+        type_name: `geometry_msgs/Twist`.
+        values: As for `message_of`.
+        rate: Messages per second [Hz]; once if None.
+        latch: Give the last message to later subscribers also if `rate` is given.
+
+    Raises:
+        ToolError: No such type, a value does not fit, or the rate is not above 0.
+    """
+    if rate is not None and (fault := rate_fault(rate)):
+        raise UsageError(f"rostopic pub: error: {fault}")
+    message = message_of(type_name, values, graph.now())
+    node = graph.create_node(free_name("/rostopic", graph.nodes))
+    try:
+        TopicPub(node, resolved(topic), message, rate=rate, latch=latch)
+    except SimkitError:
+        node.shutdown()
+        raise
+    return node
+
+
+def rate_fault(rate: float) -> str:
+    """What rostopic says of a rate that cannot be; empty if it can."""
+    return "" if 0.0 < rate < math.inf else "rate must be greater than zero"
+
+
+def message_of(type_name: str, values: Sequence[object], now: Time) -> Message:
+    """The message that values mean: one for the whole, or one for each field.
 
     Args:
         type_name: `geometry_msgs/Twist`.
-        words: `["{linear: {x: 1.0}}"]` or `["[1, 0, 0]", "[0, 0, 2]"]`.
+        values: `[{"linear": {"x": 1.0}}]` or `[[1, 0, 0], [0, 0, 2]]`, or a message.
         now: What `stamp: now` and `header: auto` stand for.
 
     Raises:
         ToolError: No such type, or a value does not fit; lists the fields.
-        UsageError: A word is not YAML.
     """
-    made = _class(type_name)
-    values = [_yaml(word) for word in words]
+    made = message_type(type_name)
+    if len(values) == 1 and isinstance(values[0], Message):
+        if values[0]._type != type_name:
+            raise ToolError(f"ERROR: the message is a {values[0]._type}, not a {type_name}")
+        return values[0]
     try:
-        return fill_message(made, values, now=now)
+        return fill_message(made, list(values), now=now)
     except MessageError as error:
         raise ToolError(f"ERROR: {error}\n\nArgs are: [{' '.join(field_paths(made()))}]") from error
 
@@ -91,10 +135,15 @@ def has_fields(type_name: str) -> bool:
     Raises:
         ToolError: There is no such type.
     """
-    return bool(_class(type_name).__slots__)
+    return bool(message_type(type_name).__slots__)
 
 
-def _class(type_name: str) -> type[Message]:
+def message_type(type_name: str) -> type[Message]:
+    """The class of a type of messages.
+
+    Raises:
+        ToolError: There is no such type.
+    """
     try:
         return message_class(type_name)
     except UnknownNameError as error:
@@ -102,7 +151,12 @@ def _class(type_name: str) -> type[Message]:
         raise ToolError(f"ERROR: invalid message type: {type_name}.{hint}") from error
 
 
-def _yaml(word: str) -> object:
+def value_of(word: str) -> object:
+    """The value that YAML on the command line of `rostopic pub` means.
+
+    Raises:
+        UsageError: It is not YAML.
+    """
     try:
         return yaml.safe_load(word)
     except yaml.YAMLError as error:

@@ -104,11 +104,3 @@ def address(node: str) -> str:
 def is_below(name: str, namespace: str) -> bool:
     """Whether a name is the namespace itself or lies in it."""
     return name == namespace or name.startswith(namespace.rstrip("/") + "/")
-
-
-def free_name(graph: Graph, base: str) -> str:
-    """A name for one more anonymous node: `/rostopic_1`, `/rostopic_2`, ..."""
-    number = 1
-    while f"{base}_{number}" in graph.nodes:
-        number += 1
-    return f"{base}_{number}"

@@ -86,18 +86,14 @@ class Requests:
                 "error": f"init_node: {base!r} is not a node name: letters, digits and _ only, a letter first"
             }
         if request["anonymous"] and line.node_name is None:
-            base = f"{base}_{self._anonymous_number(base)}"
-        node.take_name(names.join(line.namespace, base))
+            name = names.free_name(names.join(line.namespace, base), node.graph.nodes)
+        else:
+            name = names.join(line.namespace, base)
+        node.take_name(name)
         self._initialized = True
         for key, value in line.private_parameters.items():
             node.graph.params.set(node.resolve("~" + key), value)
         return {"name": node.name, "arguments": list(line.arguments)}
-
-    def _anonymous_number(self, base: str) -> int:
-        number, line = 1, self._node.command_line
-        while names.join(line.namespace, f"{base}_{number}") in self._node.graph.nodes:
-            number += 1
-        return number
 
     def _query(self, body: bytes) -> dict[str, Any]:
         request = protocol.unpack_json(body)

@@ -1,53 +1,26 @@
-"""Recordings as figures: joints, how a controller tracks, ways over the ground."""
+"""Recordings as figures: frames, joints, how a controller tracks, paths over the ground."""
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
-from simkit.errors import UnknownNameError
-from simkit.graph import Node
-
 if TYPE_CHECKING:
-    from simkit.gazebo import Gazebo
-    from simkit.physics import Model
-    from simkit.recording import Recording
-    from simkit.viz import JointPlot, ModelRecording, PathPlot, TrackingPlot
+    from simkit.graph.recording import Recording
+    from simkit.simulation.simulation import Simulation
+    from simkit.viz import JointPlot, ModelRecording, PathPlot, TrackingPlot, TransformPlot
 
 
-class Plotting:
-    """The part of `Simulation` that plots recordings, and records what no topic tells."""
+class Plots:
+    """The part of a `Simulation` that plots recordings.
 
-    _node: Node
+    Args:
+        sim: The simulation.
+    """
 
-    @property
-    def gazebo(self) -> Gazebo:
-        """The world of physics."""
-        raise NotImplementedError
-
-    def record_model(self, name: str, *, rate: float = 100.0) -> ModelRecording:
-        """Record a model of the world from now on: its true pose; position, velocity, effort of its joints.
-
-        Args:
-            name: Name of the model in the world.
-            rate: Samples a second of virtual time.
-
-        Raises:
-            UnknownNameError: No such model is in the world.
-            SimkitError: The rate is out of range.
-        """
-        from simkit.viz import ModelRecording
-
-        gazebo = self.gazebo
-        if name not in gazebo.spawned:
-            raise UnknownNameError("model in the world", name, gazebo.spawned)
-        recorded = gazebo.spawned[name]
-
-        def find() -> Model | None:
-            # Another model of the same name is another model.
-            return recorded.model if gazebo.spawned.get(name) is recorded else None
-
-        return ModelRecording(self._node, name, find, rate=rate)
+    def __init__(self, sim: Simulation) -> None:
+        self._sim: Simulation = weakref.proxy(sim)
 
     def joint_plot(
         self,
@@ -116,3 +89,18 @@ class Plotting:
         from simkit.viz import PathPlot
 
         return PathPlot(recording, topics=topics, truth=truth, align=align)
+
+    def tf_plot(
+        self, target: str, source: str, *, recording: Recording | None = None
+    ) -> TransformPlot:
+        """Where `source` was, seen from `target`, over virtual time.
+
+        Args:
+            target: Frame to express it in.
+            source: Frame to follow.
+            recording: Of /tf and /tf_static; the last ten seconds of the buffer if None.
+        """
+        from simkit.viz import TransformPlot
+
+        data = self._sim.tf if recording is None else recording
+        return TransformPlot(data, target=target, source=source)

@@ -1,74 +1,73 @@
-"""What there is to see of a simulation: texts of tf's tools, pictures, plots, replays."""
+"""What there is to see of a simulation: pictures, views that are live, replays; and who keeps them up to date."""
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from simkit.errors import SimkitError
-from simkit.msgs import Message, Time
-from simkit.steering import while_it_lives
-from simkit.tf import Buffer, echo_text
+from simkit.msgs import Time
 
 if TYPE_CHECKING:
-    from simkit.graph import Graph, Node
     from simkit.graph.process import ScriptNode
-    from simkit.nodes.joint_state_publisher import JointStatePublisherGui
+    from simkit.graph.recording import Recording
+    from simkit.nodes.builtin import RunningBuiltin
     from simkit.nodes.turtlesim import TurtlesimNode
-    from simkit.packages import PackagePath
-    from simkit.recording import Recording
-    from simkit.running import RunningBuiltin
+    from simkit.simulation.simulation import Simulation
     from simkit.viz import (
         FramesPicture,
-        JointSliders,
         LiveRviz,
         RvizEars,
         RvizReplay,
         RvizSettings,
         RvizView,
         SceneSource,
-        TransformPlot,
         TurtlesimView,
     )
     from simkit.viz.turtlesim.page import LiveTurtlesim
+    from simkit.viz.world import LiveWorld, WorldView
 
 
-class Seeing:
-    """The part of `Simulation` that shows; pictures are made when they are asked for."""
+class View:
+    """The part of a `Simulation` that shows; pictures are made when they are asked for.
 
-    graph: Graph
-    packages: PackagePath
-    tf: Buffer
-    _builtins: list[RunningBuiltin]
-    _views: list[Callable[[], None]]
-    _closers: list[Callable[[], None]]
-    _sliders: list[JointSliders]
-    _node: Node
-    _ears: RvizEars | None = None
+    Args:
+        sim: The simulation.
+    """
 
-    @property
-    def now(self) -> Time:
-        """Virtual time."""
-        raise NotImplementedError
+    def __init__(self, sim: Simulation) -> None:
+        self._sim: Simulation = weakref.proxy(sim)
+        self._refreshers: list[Callable[[], None]] = []
+        self._closers: list[Callable[[], None]] = []
+        self._ears: RvizEars | None = None
 
-    def run(self, seconds: float) -> None:
-        """Let virtual time pass [s]."""
-        raise NotImplementedError
+    def add(self, refresh: Callable[[], None], close: Callable[[], None] | None = None) -> None:
+        """Keep a view up to date from now on.
 
-    def _message_classes(
-        self, topics: Iterable[str] | Mapping[str, str]
-    ) -> dict[str, type[Message]]:
-        raise NotImplementedError
+        Args:
+            refresh: Called whenever virtual time has passed.
+            close: Called when the simulation is closed.
+        """
+        self._refreshers.append(refresh)
+        if close is not None:
+            self._closers.append(close)
 
-    def tf_echo(self, source: str, target: str, *, precision: int = 3) -> str:
-        """What `rosrun tf tf_echo source target` prints: where `target` is, seen from `source`."""
-        return echo_text(self.tf, source, target, self.now, precision=precision)
+    def refresh(self) -> None:
+        """Bring all views that are live up to date."""
+        for refresh in self._refreshers:
+            refresh()
+
+    def close(self) -> None:
+        """Close all views that are served."""
+        while self._closers:
+            self._closers.pop()()
 
     def view_frames(self) -> FramesPicture:
         """The tree of frames as a drawing, with the facts of each edge; `save("frames.pdf")` keeps it."""
         from simkit.viz import FramesPicture
 
-        return FramesPicture(self.tf, now=self.now)
+        return FramesPicture(self._sim.tf, now=self._sim.now)
 
     def rviz(
         self,
@@ -118,12 +117,12 @@ class Seeing:
             robots=robot_displays(description),
             topics=tuple(
                 display_of(name, cls._type, keep=keep)
-                for name, cls in self._message_classes(topics).items()
+                for name, cls in self._sim.graph_client.message_classes(topics).items()
             ),
         )
         if live:
             return self._live_rviz(settings)
-        return RvizView(self._scene_source(settings).scene())
+        return RvizView(self.scene_source(settings).scene())
 
     def rviz_replay(
         self,
@@ -156,48 +155,8 @@ class Seeing:
             robots=robot_displays(description),
             topics=displays_of(recording.types(), keep=keep),
         )
-        robot = self._scene_source(settings).robot()
+        robot = self.scene_source(settings).robot()
         return RvizReplay(recording, settings, robot=robot)
-
-    def tf_plot(
-        self, target: str, source: str, *, recording: Recording | None = None
-    ) -> TransformPlot:
-        """Where `source` was, seen from `target`, over virtual time.
-
-        Args:
-            target: Frame to express it in.
-            source: Frame to follow.
-            recording: Of /tf and /tf_static; the last ten seconds of the buffer if None.
-        """
-        from simkit.viz import TransformPlot
-
-        data = self.tf if recording is None else recording
-        return TransformPlot(data, target=target, source=source)
-
-    def joint_sliders(self, node: str | None = None) -> JointSliders:
-        """The sliders of a joint_state_publisher_gui that runs here; moving one moves the simulation.
-
-        Args:
-            node: Resolved name of its node; the newest one if None.
-
-        Raises:
-            SimkitError: None runs, or none of that name.
-        """
-        from simkit.viz import JointSliders, RvizSettings, RvizView
-
-        gui = self._newest_gui(node)
-        for known in self._sliders:
-            if known.gui is gui:
-                return known
-        source = self._scene_source(RvizSettings(fixed_frame=""))
-        sliders = JointSliders(
-            gui,
-            run=while_it_lives(self),
-            picture=lambda: RvizView(source.scene()).thumbnail(),
-        )
-        self._sliders.append(sliders)
-        self._views.append(sliders.refresh)
-        return sliders
 
     @property
     def turtlesim(self) -> TurtlesimView:
@@ -209,45 +168,66 @@ class Seeing:
         from simkit.nodes.turtlesim import TurtlesimNode
         from simkit.viz import TurtlesimView
 
-        for builtin in reversed(self._builtins):
+        for builtin in reversed(self._sim.builtins):
             if isinstance(builtin.program, TurtlesimNode) and builtin.alive:
-                return TurtlesimView(builtin.program, add_view=self._views.append)
+                return TurtlesimView(builtin.program, add_view=self.add)
         raise SimkitError("no turtlesim runs: sim.rosrun('turtlesim', 'turtlesim_node')")
 
-    def window_of(self, node: ScriptNode | RunningBuiltin) -> RvizView | None:
-        """What rviz shows, if this is one; None for other nodes.
+    def window_of(self, node: ScriptNode | RunningBuiltin) -> RvizView | WorldView | None:
+        """What rviz or gzclient shows, if this is one; None for other nodes.
+
+        A gzclient that goes on is one of a launch file: it has said how its window is opened.
 
         Args:
             node: What `rosrun` answered.
+
+        Raises:
+            SimkitError: It is gzclient, and there is no world.
         """
+        from simkit.nodes.gzclient import GzclientProgram
         from simkit.nodes.rviz import RvizProgram
         from simkit.viz import RvizView
 
         program = getattr(node, "program", None)
-        if not isinstance(program, RvizProgram):
-            return None
-        return RvizView(self._scene_source(program.settings(self.packages)).scene())
+        if isinstance(program, RvizProgram):
+            return RvizView(self.scene_source(program.settings(self._sim.packages)).scene())
+        if isinstance(program, GzclientProgram) and not node.alive:
+            return self._sim.world_window.picture()
+        return None
 
-    def serve_window_of(self, node: ScriptNode | RunningBuiltin) -> LiveRviz | LiveTurtlesim | None:
-        """The window of an rviz or a turtlesim as a page that follows the simulation until the node ends.
+    def serve_window_of(
+        self, node: ScriptNode | RunningBuiltin
+    ) -> LiveRviz | LiveWorld | LiveTurtlesim | None:
+        """Serve the window of an rviz, a gzclient or a turtlesim as a page that follows the simulation.
 
-        The node prints the address of the page.
+        The page ends with the node, which prints its address.
 
         Args:
             node: What `rosrun` answered.
+
+        Raises:
+            SimkitError: It is gzclient, and there is no world.
         """
+        from simkit.nodes.gzclient import GzclientProgram
         from simkit.nodes.rviz import RvizProgram
         from simkit.nodes.turtlesim import TurtlesimNode
 
         program = getattr(node, "program", None)
+
+        def is_over() -> bool:
+            return not node.alive
+
+        page: LiveRviz | LiveWorld | LiveTurtlesim
         if isinstance(program, TurtlesimNode):
-            return self._live_turtlesim(program, is_over=lambda: not node.alive)
-        if not isinstance(program, RvizProgram):
+            page = self._live_turtlesim(program, is_over=is_over)
+        elif isinstance(program, RvizProgram):
+            page = self._live_rviz(program.settings(self._sim.packages), is_over=is_over)
+        elif isinstance(program, GzclientProgram):
+            page = self._sim.world_window.live(is_over=is_over)
+        else:
             return None
-        settings = program.settings(self.packages)
-        view = self._live_rviz(settings, is_over=lambda: not node.alive)
-        program.tell(view.url)
-        return view
+        program.tell(page.url)
+        return page
 
     def _live_turtlesim(
         self, program: TurtlesimNode, *, is_over: Callable[[], bool]
@@ -255,9 +235,7 @@ class Seeing:
         from simkit.viz.turtlesim.page import LiveTurtlesim
 
         page = LiveTurtlesim(program.frame, is_over=is_over)
-        self._views.append(page.refresh)
-        self._closers.append(page.close)
-        program.tell(page.url)
+        self.add(page.refresh, page.close)
         return page
 
     def _live_rviz(
@@ -265,42 +243,25 @@ class Seeing:
     ) -> LiveRviz:
         from simkit.viz import LiveRviz
 
-        view = LiveRviz(self._scene_source(settings, with_room=True), is_over=is_over)
-        self._views.append(view.refresh)
-        self._closers.append(view.close)
+        view = LiveRviz(self.scene_source(settings, with_room=True), is_over=is_over)
+        self.add(view.refresh, view.close)
         return view
 
-    def _scene_source(self, settings: RvizSettings, *, with_room: bool = False) -> SceneSource:
+    def scene_source(self, settings: RvizSettings, *, with_room: bool = False) -> SceneSource:
+        """Where a view gets what it shows.
+
+        Args:
+            settings: What is to be seen.
+            with_room: Whether the scene has room for more than there is now.
+        """
         from simkit.viz import RvizEars, SceneSource
 
-        self._ears = self._ears or RvizEars(self._node, self.tf)
+        self._ears = self._ears or RvizEars(self._sim.node, self._sim.tf)
         return SceneSource(
             settings,
             ears=self._ears,
-            buffer=self.tf,
-            parameters=self.graph.params,
-            packages=self.packages,
+            buffer=self._sim.tf,
+            parameters=self._sim.graph.params,
+            packages=self._sim.packages,
             with_room=with_room,
         )
-
-    def _close_views(self) -> None:
-        while self._closers:
-            self._closers.pop()()
-
-    def _newest_gui(self, node: str | None) -> JointStatePublisherGui:
-        from simkit.nodes.joint_state_publisher import JointStatePublisherGui
-
-        for builtin in reversed(self._builtins):
-            program = builtin.program
-            if not (isinstance(program, JointStatePublisherGui) and builtin.alive):
-                continue
-            if node in (None, builtin.name):
-                return program
-        raise SimkitError(
-            f"no joint_state_publisher_gui runs{f' as {node}' if node else ''}: "
-            "sim.rosrun('joint_state_publisher_gui', 'joint_state_publisher_gui')"
-        )
-
-    def _refresh_views(self) -> None:
-        for refresh in self._views:
-            refresh()

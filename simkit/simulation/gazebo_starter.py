@@ -2,42 +2,29 @@
 
 from __future__ import annotations
 
+import weakref
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from simkit.errors import SimkitError
-from simkit.graph import Graph
-from simkit.graph.process import Permissions, ScriptNode
-from simkit.packages import PackagePath
-from simkit.running import RunningBuiltin
 
 if TYPE_CHECKING:
     from simkit.gazebo import Gazebo, Spawned
-    from simkit.physics import World
+    from simkit.simulation.simulation import Simulation
 
 GZSERVER = ("gazebo_ros", "gzserver")
 """The node that has a world."""
 
 
-class Simulating:
-    """The part of `Simulation` that has a world; physics is loaded when it is asked for."""
+class GazeboStarter:
+    """The part of a `Simulation` that has a world; physics is loaded when it is asked for.
 
-    graph: Graph
-    packages: PackagePath
-    _builtins: list[RunningBuiltin]
+    Args:
+        sim: The simulation.
+    """
 
-    def rosrun(
-        self,
-        package: str,
-        executable: str,
-        *arguments: str,
-        permissions: Permissions | None = None,
-    ) -> ScriptNode | RunningBuiltin:
-        """Start a node."""
-        raise NotImplementedError
-
-    def _require_open(self) -> None:
-        raise NotImplementedError
+    def __init__(self, sim: Simulation) -> None:
+        self._sim: Simulation = weakref.proxy(sim)
 
     @property
     def has_world(self) -> bool:
@@ -51,20 +38,15 @@ class Simulating:
         Raises:
             SimkitError: The simulation is closed, or there is no physics engine on this machine.
         """
-        self._require_open()
+        self._sim.require_open()
         found = self._found()
         if found is None:
-            self.graph.params.set("/use_sim_time", True)
-            self.rosrun(*GZSERVER, "__name:=gazebo")
+            self._sim.graph.params.set("/use_sim_time", True)
+            self._sim.rosrun(*GZSERVER, "__name:=gazebo")
             found = self._found()
         if found is None:
             raise SimkitError("no world could be started")
         return found
-
-    @property
-    def world(self) -> World:
-        """The physics of `gazebo`: models, contacts, steps."""
-        return self.gazebo.world
 
     def spawn(
         self,
@@ -90,8 +72,8 @@ class Simulating:
         from simkit.gazebo.spawning import read_model
         from simkit.geometry import Transform
 
-        model = read_model(path_or_text, self.packages)
-        gazebo = self.gazebo
+        model = read_model(path_or_text, self._sim.packages)
+        gazebo = self._sim.gazebo
         spawn = gazebo.spawn_urdf if model.is_urdf else gazebo.spawn_sdf
         return spawn(
             model.text,
@@ -104,11 +86,11 @@ class Simulating:
     def _found(self) -> Gazebo | None:
         from simkit.gazebo.finding import gazebo_of
 
-        for node in reversed(self._builtins):
+        for node in reversed(self._sim.builtins):
             if node.alive and (found := gazebo_of(node.program)) is not None:
                 return found
         return None
 
-    def _begin_with_world(self) -> None:
+    def begin(self) -> None:
         """As on a robot that starts with Gazebo, time begins at 0, if it has not begun."""
-        self.graph.executor.begin_at(0)
+        self._sim.graph.executor.begin_at(0)

@@ -2,41 +2,29 @@
 
 from __future__ import annotations
 
+import weakref
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from simkit.graph import Graph
-from simkit.graph.process import Permissions, ScriptNode
-from simkit.packages import PackagePath
-from simkit.running import RunningBuiltin
-from simkit.simulating import GZSERVER
+from simkit.graph.names import free_name
+from simkit.graph.process import Permissions
+from simkit.simulation.gazebo_starter import GZSERVER
 
 if TYPE_CHECKING:
     from simkit.launch import Launch, LaunchPlan
+    from simkit.simulation.simulation import Simulation
 
 
-class Launching:
-    """The part of `Simulation` that launches; the launch files are read when they are asked for."""
+class Launcher:
+    """The part of a `Simulation` that launches; launch files are read when they are asked for.
 
-    graph: Graph
-    packages: PackagePath
-    _launches: list[Launch]
+    Args:
+        sim: The simulation.
+    """
 
-    def rosrun(
-        self,
-        package: str,
-        executable: str,
-        *arguments: str,
-        permissions: Permissions | None = None,
-    ) -> ScriptNode | RunningBuiltin:
-        """Start a node."""
-        raise NotImplementedError
-
-    def _require_open(self) -> None:
-        raise NotImplementedError
-
-    def _begin_with_world(self) -> None:
-        raise NotImplementedError
+    def __init__(self, sim: Simulation) -> None:
+        self._sim: Simulation = weakref.proxy(sim)
+        self._launches: list[Launch] = []
 
     def launch_plan(
         self, package_or_path: str | Path, file: str | None = None, *arguments: str
@@ -57,13 +45,17 @@ class Launching:
         source: Path | str = words[0]
         rest = words[1:]
         if "<" not in words[0]:
-            source, rest = find_launch_file(words, self.packages)
+            source, rest = find_launch_file(words, self._sim.packages)
         given = given_arguments(rest)
         old = [one for one in self._launches if one.is_of(str(source), given)]
-        taken = set(self.graph.nodes).difference(*(one.nodes for one in old))
-        return evaluate(
-            source, packages=self.packages, arguments=given, anonymous=_Anonymous(taken).name
-        )
+        nodes = set(self._sim.graph.nodes).difference(*(one.nodes for one in old))
+        taken = {name.rpartition("/")[2] for name in nodes}
+
+        def anonymous(identity: str) -> str:
+            taken.add(name := free_name(identity, taken))
+            return name
+
+        return evaluate(source, packages=self._sim.packages, arguments=given, anonymous=anonymous)
 
     def roslaunch(
         self,
@@ -92,21 +84,21 @@ class Launching:
         """
         from simkit.launch import Launch, LaunchPlan
 
-        self._require_open()
+        self._sim.require_open()
         if isinstance(package_or_path, LaunchPlan):
             plan = package_or_path
         else:
             plan = self.launch_plan(package_or_path, file, *arguments)
         launch = Launch(
             plan,
-            self.graph,
-            self.rosrun,
-            folders=[str(folder) for folder in self.packages.folders],
+            self._sim.graph,
+            self._sim.rosrun,
+            folders=[str(folder) for folder in self._sim.packages.folders],
             permissions=permissions,
             all_on_screen=all_on_screen,
         )
         if any((node.package, node.type) == GZSERVER for node in plan.nodes):
-            self._begin_with_world()
+            self._sim.gazebo_starter.begin()
         self._end_older(plan, launch)
         self._check_robots(plan, launch)
         launch.start()
@@ -123,19 +115,5 @@ class Launching:
     def _check_robots(self, plan: LaunchPlan, launch: Launch) -> None:
         from simkit.launch import robot_lines
 
-        for line in robot_lines(plan, self.packages, self.graph):
+        for line in robot_lines(plan, self._sim.packages, self._sim.graph):
             launch.say(line)
-
-
-class _Anonymous:
-    """Makes names for `$(anon id)` that no node has."""
-
-    def __init__(self, taken: set[str]) -> None:
-        self._taken = {name.rpartition("/")[2] for name in taken}
-
-    def name(self, identity: str) -> str:
-        number = 1
-        while f"{identity}_{number}" in self._taken:
-            number += 1
-        self._taken.add(f"{identity}_{number}")
-        return f"{identity}_{number}"

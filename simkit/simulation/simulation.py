@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import weakref
 import zlib
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -22,29 +21,36 @@ from simkit.graph.process import (
     shared_runtime,
 )
 from simkit.graph.screen import Screen, StreamScreen
-from simkit.launching import Launching
 from simkit.msgs import Time
 from simkit.nodes import builtin_nodes
+from simkit.nodes.builtin import RunningBuiltin
 from simkit.packages import PackagePath
-from simkit.plotting import Plotting
-from simkit.running import RunningBuiltin
-from simkit.seeing_world import SeeingWorld
-from simkit.simulating import GZSERVER, Simulating
-from simkit.steering import Steering
-from simkit.talking import Talking
-from simkit.tf import Buffer, TransformListener
+from simkit.simulation import open_simulations
+from simkit.simulation.delegate import delegate
+from simkit.simulation.gazebo_starter import GZSERVER, GazeboStarter
+from simkit.simulation.graph_client import GraphClient
+from simkit.simulation.launcher import Launcher
+from simkit.simulation.plots import Plots
+from simkit.simulation.recorder import Recorder
+from simkit.simulation.view import View
+from simkit.simulation.widgets import Widgets
+from simkit.simulation.world_window import WorldWindow
+from simkit.tf import Buffer, TransformListener, echo_text
 
 if TYPE_CHECKING:
     from types import TracebackType
 
-    from simkit.launch import Launch
+    from simkit.gazebo import Gazebo
+    from simkit.physics import World
+    from simkit.viz import TurtlesimView
+
 
 EPOCH_NS = 1_600_088_400 * 10**9
 """Virtual time at the start [ns]: 14 September 2020, 13:00 UTC, the hour of the lecture."""
 _DEFAULT_SCREEN = StreamScreen()
 
 
-class Simulation(Talking, Steering, Simulating, Plotting, SeeingWorld, Launching):
+class Simulation:
     """A world of nodes on virtual time. Same seed, same bytes.
 
     Args:
@@ -53,6 +59,14 @@ class Simulation(Talking, Steering, Simulating, Plotting, SeeingWorld, Launching
         runtime: Where scripts run as processes; one that all simulations of this process share if None.
         screen: Where what nodes say is shown; standard output by default, None for silence.
         confined: Whether launch files and robots may read only the files of packages, and nothing of the environment.
+
+    Attributes:
+        graph: Topics, services, parameters, the log, and the clock below them.
+        packages: Where packages are found.
+        node: The node in whose name Python code takes part.
+        builtins: The built-in nodes started so far.
+        tf: The transforms that were broadcast.
+        graph_client, launcher, gazebo_starter, recorder, view, world_window, plots, widgets: The parts.
     """
 
     def __init__(
@@ -69,19 +83,21 @@ class Simulation(Talking, Steering, Simulating, Plotting, SeeingWorld, Launching
         self.graph = Graph(Executor(EPOCH_NS), screen, seed=seed)
         self._runtime = runtime
         self._scripts: list[ScriptNode] = []
-        self._builtins: list[RunningBuiltin] = []
-        self._views: list[Callable[[], None]] = []
-        self._launches: list[Launch] = []
-        self._sliders = []
-        self._closers = []
-        self._node = self.graph.create_node("/simkit")
-        self.graph.reserved_names.add(self._node.name)
+        self.builtins: list[RunningBuiltin] = []
+        self.node = self.graph.create_node("/simkit")
+        self.graph.reserved_names.add(self.node.name)
         self.tf = Buffer()
-        self._tf_listener = TransformListener(self._node, self.tf)
+        self._tf_listener = TransformListener(self.node, self.tf)
         self._closed = False
-        _close_abandoned()
-        weakref.finalize(self, _abandoned.append, self._scripts)
-        _made.append(weakref.ref(self, _made.remove))
+        self.graph_client = GraphClient(self)
+        self.launcher = Launcher(self)
+        self.gazebo_starter = GazeboStarter(self)
+        self.recorder = Recorder(self)
+        self.view = View(self)
+        self.world_window = WorldWindow(self)
+        self.plots = Plots(self)
+        self.widgets = Widgets(self)
+        open_simulations.register(self, self._scripts)
 
     def __enter__(self) -> Simulation:
         return self
@@ -97,7 +113,7 @@ class Simulation(Talking, Steering, Simulating, Plotting, SeeingWorld, Launching
     def close(self) -> None:
         """End every node; no process is left behind. Harmless when closed already."""
         self._closed = True
-        self._close_views()
+        self.view.close()
         for script in self._scripts:
             script.close()
 
@@ -119,24 +135,24 @@ class Simulation(Talking, Steering, Simulating, Plotting, SeeingWorld, Launching
         Raises:
             SimkitError: The simulation is closed.
         """
-        self._require_open()
+        self.require_open()
         executor = self.graph.executor
         executor.run_to(executor.now_ns + nanoseconds(seconds))
-        self._refresh_views()
+        self.view.refresh()
 
     def run_until(self, predicate: Callable[[], bool], timeout: float) -> bool:
         """Let virtual time pass until `predicate()` holds, at most `timeout` [s]; whether it holds."""
-        self._require_open()
+        self.require_open()
         executor = self.graph.executor
         holds = executor.run_to(executor.now_ns + nanoseconds(timeout), predicate)
-        self._refresh_views()
+        self.view.refresh()
         return holds
 
     def step(self) -> bool:
         """Run the next event; False if nothing is left to happen."""
-        self._require_open()
+        self.require_open()
         stepped = self.graph.executor.step()
-        self._refresh_views()
+        self.view.refresh()
         return stepped
 
     # -- nodes
@@ -162,20 +178,20 @@ class Simulation(Talking, Steering, Simulating, Plotting, SeeingWorld, Launching
         Raises:
             UnknownNameError: No such package, or no such executable in it; names near ones.
         """
-        self._require_open()
+        self.require_open()
         if (package, executable) == GZSERVER:
-            self._begin_with_world()
+            self.gazebo_starter.begin()
         command_line = split_command_line(arguments)
         if (package, executable) in builtin_nodes():
             definition = builtin_nodes()[package, executable]
             named = definition.named(command_line, self.graph.nodes)
             builtin = RunningBuiltin(self.graph, definition, named, self.packages)
-            self._builtins.append(builtin)
+            self.builtins.append(builtin)
             return builtin
-        script = self._find_script(package, executable)
+        script, shown_path = self._find_script(package, executable)
         spec = StartSpec(
-            script=str(script.path),
-            shown_path=script.shown,
+            script=str(script),
+            shown_path=shown_path,
             arguments=command_line.arguments,
             seed=zlib.crc32(f"{self.seed}/{package}/{executable}/{' '.join(arguments)}".encode()),
         )
@@ -203,13 +219,78 @@ class Simulation(Talking, Steering, Simulating, Plotting, SeeingWorld, Launching
         """The parameter server."""
         return self.graph.params
 
-    # -- private
+    # -- what its parts do
 
-    def _require_open(self) -> None:
+    topics = delegate("graph_client", GraphClient.topics)
+    services = delegate("graph_client", GraphClient.services)
+    latest = delegate("graph_client", GraphClient.latest)
+    wait_for_message = delegate("graph_client", GraphClient.wait_for_message)
+    rostopic_pub = delegate("graph_client", GraphClient.rostopic_pub)
+    call = delegate("graph_client", GraphClient.call)
+    launch_plan = delegate("launcher", Launcher.launch_plan)
+    roslaunch = delegate("launcher", Launcher.roslaunch)
+    spawn = delegate("gazebo_starter", GazeboStarter.spawn)
+    record = delegate("recorder", Recorder.record)
+    record_model = delegate("recorder", Recorder.record_model)
+    record_world = delegate("recorder", Recorder.record_world)
+    view_frames = delegate("view", View.view_frames)
+    rviz = delegate("view", View.rviz)
+    rviz_replay = delegate("view", View.rviz_replay)
+    window_of = delegate("view", View.window_of)
+    serve_window_of = delegate("view", View.serve_window_of)
+    gzclient = delegate("world_window", WorldWindow.gzclient)
+    gzclient_replay = delegate("world_window", WorldWindow.gzclient_replay)
+    tf_plot = delegate("plots", Plots.tf_plot)
+    joint_plot = delegate("plots", Plots.joint_plot)
+    tracking_plot = delegate("plots", Plots.tracking_plot)
+    path_plot = delegate("plots", Plots.path_plot)
+    joint_sliders = delegate("widgets", Widgets.joint_sliders)
+    teleop = delegate("widgets", Widgets.teleop)
+    trajectory_sliders = delegate("widgets", Widgets.trajectory_sliders)
+
+    def tf_echo(self, source: str, target: str, *, precision: int = 3) -> str:
+        """What `rosrun tf tf_echo source target` prints: where `target` is, seen from `source`."""
+        return echo_text(self.tf, source, target, self.now, precision=precision)
+
+    @property
+    def has_world(self) -> bool:
+        """Whether a world is there already."""
+        return self.gazebo_starter.has_world
+
+    @property
+    def gazebo(self) -> Gazebo:
+        """The world with its models, plugins and services; an empty world with a ground is started if there is none.
+
+        Raises:
+            SimkitError: The simulation is closed, or there is no physics engine on this machine.
+        """
+        return self.gazebo_starter.gazebo
+
+    @property
+    def world(self) -> World:
+        """The physics of `gazebo`: models, contacts, steps."""
+        return self.gazebo.world
+
+    @property
+    def turtlesim(self) -> TurtlesimView:
+        """The turtlesim that runs here: `picture()`, `replay()`, `live()`.
+
+        Raises:
+            SimkitError: None runs.
+        """
+        return self.view.turtlesim
+
+    def require_open(self) -> None:
+        """Refuse to go on with a simulation that is closed.
+
+        Raises:
+            GraphError: It is closed.
+        """
         if self._closed:
             raise GraphError("this simulation is closed; make a new one: sim = Simulation()")
 
-    def _find_script(self, package: str, executable: str) -> _Script:
+    def _find_script(self, package: str, executable: str) -> tuple[Path, str]:
+        """A script file, and how to show its path."""
         builtin_packages = {name for name, _ in builtin_nodes()}
         try:
             found = self.packages.find(package)
@@ -220,35 +301,4 @@ class Simulation(Talking, Steering, Simulating, Plotting, SeeingWorld, Launching
                 raise UnknownNameError(f"program in {package!r}", executable, programs) from None
             raise UnknownNameError("package", package, known) from None
         path = found.find_executable(executable)
-        return _Script(path, path.relative_to(found.folder.parent).as_posix())
-
-
-_made: list[weakref.ref[Simulation]] = []
-
-
-def newest_simulation() -> Simulation | None:
-    """The open simulation of this process that was made last: what a line of a notebook acts on."""
-    for made in reversed(_made):
-        sim = made()
-        if sim is not None and not sim.closed:
-            return sim
-    return None
-
-
-_abandoned: list[list[ScriptNode]] = []
-
-
-def _close_abandoned() -> None:
-    # A notebook's `sim = Simulation()` drops the one before it: its processes end when the next one begins, and not in the
-    # middle of whatever runs when the garbage is collected.
-    while _abandoned:
-        for script in _abandoned.pop():
-            script.close()
-
-
-class _Script:
-    """A script file and how to show its path."""
-
-    def __init__(self, path: Path, shown: str) -> None:
-        self.path = path
-        self.shown = shown
+        return path, path.relative_to(found.folder.parent).as_posix()

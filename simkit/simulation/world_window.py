@@ -1,35 +1,29 @@
-"""What there is to see of the world of a simulation: Gazebo's window, recordings of the world, replays."""
+"""What there is to see of the world of a simulation: Gazebo's window, and replays of it."""
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
 from simkit.errors import SimkitError
-from simkit.graph.process import ScriptNode
-from simkit.running import RunningBuiltin
-from simkit.seeing import Seeing
 
 if TYPE_CHECKING:
     from simkit.gazebo import Gazebo
-    from simkit.recording import Recording
-    from simkit.viz import LiveRviz, RvizView
-    from simkit.viz.turtlesim.page import LiveTurtlesim
+    from simkit.graph.recording import Recording
+    from simkit.simulation.simulation import Simulation
     from simkit.viz.world import LiveWorld, WorldReplay, WorldSettings, WorldTape, WorldView
 
 
-class SeeingWorld(Seeing):
-    """The part of `Simulation` that shows its world; pictures are made when they are asked for."""
+class WorldWindow:
+    """The part of a `Simulation` that shows its world as Gazebo's window does.
 
-    @property
-    def has_world(self) -> bool:
-        """Whether a world is there already."""
-        raise NotImplementedError
+    Args:
+        sim: The simulation.
+    """
 
-    @property
-    def gazebo(self) -> Gazebo:
-        """The world."""
-        raise NotImplementedError
+    def __init__(self, sim: Simulation) -> None:
+        self._sim: Simulation = weakref.proxy(sim)
 
     def gzclient(
         self,
@@ -85,25 +79,8 @@ class SeeingWorld(Seeing):
             look_at=look_at,
         )
         if live:
-            return self._live_world(settings)
-        return WorldView(WorldSource(self._world_to_see(), settings).scene())
-
-    def record_world(self, *, rate: float = 30.0) -> WorldTape:
-        """Record where all links and joints are from now on, what touches, and what lasers see.
-
-        Args:
-            rate: How often to look [Hz of virtual time], rounded to whole milliseconds.
-
-        Returns:
-            A recording with `link(model, link)`, `joint(model, joint)`, `contacts`, `scans`, `stop()`.
-
-        Raises:
-            SimkitError: There is no world, or the rate makes no sense.
-        """
-        from simkit.viz.world import WorldTape
-
-        gazebo = self._world_to_see()
-        return WorldTape(gazebo, gazebo.node, rate=rate)
+            return self.live(settings)
+        return WorldView(WorldSource(world_to_see(self._sim), settings).scene())
 
     def gzclient_replay(
         self,
@@ -121,7 +98,7 @@ class SeeingWorld(Seeing):
         scans: bool = True,
         transparent: bool | None = None,
     ) -> WorldReplay:
-        """What the window of Gazebo showed during a recording, to be played again; `save("run.html")` keeps it.
+        """What the window of Gazebo showed during a recording; `save("run.html")` keeps it.
 
         Args:
             tape: What `sim.record_world()` gave; it goes on.
@@ -156,62 +133,48 @@ class SeeingWorld(Seeing):
         trails = [trail] if isinstance(trail, str) else list(trail)
         return WorldReplay(tape, settings, trails=trails, odometry=odometry)
 
-    def window_of(self, node: ScriptNode | RunningBuiltin) -> RvizView | None:
-        """What rviz or gzclient shows, if this is one; None for other nodes.
-
-        A gzclient that goes on is one of a launch file: it has said how its window is opened.
-
-        Args:
-            node: What `rosrun` answered.
+    def picture(self) -> WorldView:
+        """The world as it is now.
 
         Raises:
-            SimkitError: It is gzclient, and there is no world.
+            SimkitError: There is no world.
         """
-        from simkit.nodes.gzclient import GzclientProgram
-
-        if not isinstance(getattr(node, "program", None), GzclientProgram):
-            return super().window_of(node)
-        if node.alive:
-            return None
         from simkit.viz.world import WorldSettings, WorldSource, WorldView
 
-        return WorldView(WorldSource(self._world_to_see(), WorldSettings()).scene())
+        return WorldView(WorldSource(world_to_see(self._sim), WorldSettings()).scene())
 
-    def serve_window_of(self, node: ScriptNode | RunningBuiltin) -> LiveRviz | LiveTurtlesim | None:
-        """The same as a page that follows the simulation until the node ends; the node prints its address.
+    def live(
+        self,
+        settings: WorldSettings | None = None,
+        *,
+        is_over: Callable[[], bool] = lambda: False,
+    ) -> LiveWorld:
+        """The world as a page that follows it.
 
         Args:
-            node: What `rosrun` answered.
+            settings: What is to be seen.
+            is_over: Whether the page is no longer needed.
 
         Raises:
-            SimkitError: It is gzclient, and there is no world.
+            SimkitError: There is no world.
         """
-        from simkit.nodes.gzclient import GzclientProgram
+        from simkit.viz.world import LiveWorld, WorldSettings, WorldSource
 
-        program = getattr(node, "program", None)
-        if not isinstance(program, GzclientProgram):
-            return super().serve_window_of(node)
-        from simkit.viz.world import WorldSettings
-
-        view = self._live_world(WorldSettings(), is_over=lambda: not node.alive)
-        program.tell(view.url)
-        return view
-
-    def _live_world(
-        self, settings: WorldSettings, *, is_over: Callable[[], bool] = lambda: False
-    ) -> LiveWorld:
-        from simkit.viz.world import LiveWorld, WorldSource
-
-        gazebo = self._world_to_see()
-        source = WorldSource(gazebo, settings, is_live=True)
+        gazebo = world_to_see(self._sim)
+        source = WorldSource(gazebo, settings or WorldSettings(), is_live=True)
         view = LiveWorld(source, is_over=lambda: is_over() or not gazebo.node.alive)
-        self._views.append(view.refresh)
-        self._closers.append(view.close)
+        self._sim.view.add(view.refresh, view.close)
         return view
 
-    def _world_to_see(self) -> Gazebo:
-        if not self.has_world:
-            raise SimkitError(
-                "there is no world to see: roslaunch gazebo_ros empty_world.launch starts one (in Python: sim.gazebo)"
-            )
-        return self.gazebo
+
+def world_to_see(sim: Simulation) -> Gazebo:
+    """The world of a simulation.
+
+    Raises:
+        SimkitError: There is none.
+    """
+    if not sim.has_world:
+        raise SimkitError(
+            "there is no world to see: roslaunch gazebo_ros empty_world.launch starts one (in Python: sim.gazebo)"
+        )
+    return sim.gazebo
