@@ -12,7 +12,7 @@ from simkit.errors import SimkitError
 from simkit.nodes.gzclient import HINT
 from simkit.viz.world import LiveWorld, WorldReplay, WorldSettings, WorldView
 
-CAR = Path(__file__).resolve().parents[2] / "robots/gazebo_car/urdf/practice_car.urdf"
+CAR = Path(__file__).resolve().parents[3] / "robots/gazebo_car/urdf/practice_car.urdf"
 
 
 @pytest.fixture
