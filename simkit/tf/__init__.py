@@ -11,7 +11,7 @@ from simkit.geometry import Transform
 from simkit.tf.broadcaster import StaticTransformBroadcaster, TransformBroadcaster
 from simkit.tf.buffer import LATEST, Buffer
 from simkit.tf.buffer_core import BufferCore
-from simkit.tf.echo import echo_text
+from simkit.tf.echo import echo_text, in_words
 from simkit.tf.errors import (
     ConnectivityException,
     DataGap,
@@ -21,10 +21,8 @@ from simkit.tf.errors import (
     TimeoutException,
     TransformException,
 )
-from simkit.tf.feed import TransformFeed
-from simkit.tf.listener import TransformListener
-from simkit.tf.transform import StampedTransform
-from simkit.tf.words import in_words
+from simkit.tf.listener import TransformFeed, TransformListener
+from simkit.tf.path import StampedTransform
 
 __all__ = [
     "LATEST",

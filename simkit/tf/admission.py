@@ -1,4 +1,4 @@
-"""What a broadcast transform must fulfil before a buffer stores it, in tf's words."""
+"""What a broadcast must fulfil: tf's objections to a transform, advice on its rotation, rival broadcasters."""
 
 from __future__ import annotations
 
@@ -77,3 +77,62 @@ def objections(
 
 def _numbers(values: tuple[float, ...]) -> str:
     return "(" + " ".join(f"{v:f}" for v in values) + ")"
+
+
+def rotation_advice(child: str, rotation: Quaternion) -> str:
+    """Advice on a rotation that is no unit quaternion; empty for one that is.
+
+    Args:
+        child: Frame whose orientation it is.
+        rotation: What was broadcast, xyzw.
+    """
+    norm = math.sqrt(sum(c * c for c in rotation))
+    if abs(norm * norm - 1.0) < NORM_TOLERANCE:
+        return ""
+    if math.isnan(norm):
+        return f'The rotation of "{child}" contains NaN: a division by zero or an empty message?'
+    if norm == 0.0:
+        return (
+            f'The rotation of "{child}" is all zeros, as in a new message; "not turned" is '
+            "(0, 0, 0, 1)."
+        )
+    return (
+        f'The rotation of "{child}" has the norm {norm:.3g} instead of 1. If these are angles, '
+        "use quaternion_from_euler(roll, pitch, yaw), which gives (x, y, z, w)."
+    )
+
+
+class BroadcasterWatch:
+    """Remembers who broadcast each frame.
+
+    A node that takes over from another is no fault; two that alternate are, and tf says nothing.
+    """
+
+    def __init__(self) -> None:
+        self._last: dict[str, str] = {}
+        self._parents: dict[str, dict[str, str]] = {}
+        self._reported: set[str] = set()
+
+    def note(self, child: str, parent: str, *, authority: str) -> str:
+        """Note one broadcast.
+
+        Args:
+            child: Frame that was broadcast.
+            parent: Its parent in this broadcast.
+            authority: The node that sent it.
+
+        Returns:
+            A sentence, the first time that a former broadcaster is heard again; else empty.
+        """
+        parents = self._parents.setdefault(child, {})
+        alternates = authority in parents and self._last[child] != authority
+        parents[authority] = parent
+        self._last[child] = authority
+        if not alternates or child in self._reported:
+            return ""
+        self._reported.add(child)
+        who = " and ".join(f"{name} (parent {under})" for name, under in parents.items())
+        return (
+            f'Frame "{child}" has {len(parents)} broadcasters: {who}. '
+            "A frame has one parent and one broadcaster; it jumps between them."
+        )

@@ -1,4 +1,4 @@
-"""A node's voice for TF: moving frames on /tf, fixed ones on /tf_static."""
+"""What a node broadcasts to TF: moving frames on /tf, fixed ones on /tf_static."""
 
 from __future__ import annotations
 

@@ -9,8 +9,7 @@ from simkit.msgs import Duration, Time, message_class
 from simkit.tf.buffer_core import DEFAULT_CACHE_TIME, BufferCore
 from simkit.tf.errors import TransformException
 from simkit.tf.hints import teach
-from simkit.tf.time_argument import nanoseconds
-from simkit.tf.transform import StampedTransform
+from simkit.tf.path import StampedTransform
 
 LATEST: Final = Time(0)
 "As a time: the latest at which the whole way has data."
@@ -244,3 +243,21 @@ class Buffer:
         p.x, p.y, p.z = found.translation
         q.x, q.y, q.z, q.w = found.rotation
         return message
+
+
+def nanoseconds(time: object) -> int:
+    """Nanoseconds of a Time, a Duration, or anything that has `to_sec`.
+
+    Raises:
+        TypeError: It is a bare number or no time at all.
+    """
+    if isinstance(time, Time | Duration):
+        return time.to_nsec()
+    to_sec = getattr(time, "to_sec", None)
+    if to_sec is not None:
+        return round(float(to_sec()) * 1e9)
+    error = TypeError("time must have a to_sec method, e.g. rospy.Time or rospy.Duration")
+    error.add_note(
+        f"You gave {time!r}, a {type(time).__name__}; for seconds write rospy.Time(...)."
+    )
+    raise error

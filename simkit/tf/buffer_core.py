@@ -12,8 +12,7 @@ from simkit.tf.cache import LATEST
 from simkit.tf.climb import latest_common_time
 from simkit.tf.errors import InvalidArgumentException, LookupException, TransformException
 from simkit.tf.frame_table import NO_FRAME, FrameTable
-from simkit.tf.path import frames_between, transform_between
-from simkit.tf.transform import StampedTransform
+from simkit.tf.path import StampedTransform, frames_between, transform_between
 from simkit.tf.transformable import TransformableRequests
 
 DEFAULT_CACHE_TIME: Final = 10_000_000_000

@@ -7,9 +7,9 @@ folded into one. Where it has no answer, the tree is climbed link by link, which
 from __future__ import annotations
 
 from itertools import groupby
-from typing import Final
+from typing import Final, NamedTuple
 
-from simkit.geometry import Transform
+from simkit.geometry import Quaternion, Transform, Vector
 from simkit.tf.cache import LATEST, StaticCache, TimeCache, carried
 from simkit.tf.climb import (
     MAX_DEPTH,
@@ -21,7 +21,6 @@ from simkit.tf.climb import (
 )
 from simkit.tf.errors import DataGap, ExtrapolationException, TransformException
 from simkit.tf.frame_table import Cache, FrameTable
-from simkit.tf.transform import StampedTransform
 
 _KEPT: Final = 4096
 "So many ways are kept; a program that asks for ever more of them starts anew."
@@ -201,3 +200,22 @@ def _no_way(
         f"to frame [{table.names[target]}]",
         gap=gap,
     )
+
+
+class StampedTransform(NamedTuple):
+    """T_ab at a time, for a = target and b = source; its quaternion is what was broadcast."""
+
+    transform: Transform
+    """T_ab; tf2 never normalises it."""
+    stamp: int
+    """Time it holds for [ns]."""
+
+    @property
+    def translation(self) -> Vector:
+        """Origin of b seen from a [m]."""
+        return self.transform.translation
+
+    @property
+    def rotation(self) -> Quaternion:
+        """Orientation of b seen from a, xyzw."""
+        return self.transform.rotation

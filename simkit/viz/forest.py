@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from simkit.tf import BufferCore
 from simkit.tf.cache import StaticCache
 from simkit.tf.frame_report import FrameReport, frame_reports
-from simkit.tf.trees import two_trees_hint
+from simkit.tf.hints import two_trees_hint
 
 _NAMED = 6
 "So many roots are named in a sentence."

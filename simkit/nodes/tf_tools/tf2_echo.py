@@ -19,7 +19,7 @@ from simkit.tf import (
     TransformListener,
 )
 from simkit.tf.hints import hint_for
-from simkit.tf.transform import StampedTransform
+from simkit.tf.path import StampedTransform
 from simkit.tools.command_line import ArgumentParser
 from simkit.tools.errors import UsageError
 from simkit.tools.numbers import leading_number

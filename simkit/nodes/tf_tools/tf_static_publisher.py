@@ -15,7 +15,7 @@ from simkit.nodes.tf_tools.fixed_transform import (
     tell_reading,
 )
 from simkit.tf import TransformBroadcaster
-from simkit.tf.rotation_advice import rotation_advice
+from simkit.tf.admission import rotation_advice
 from simkit.tools.numbers import leading_number
 from simkit.tools.program import Program
 

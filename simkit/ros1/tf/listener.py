@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from simkit.msgs import message_class
-from simkit.tf.feed import TransformFeed
+from simkit.tf.listener import TransformFeed
 
 from .transformer_ros import TransformerROS
 

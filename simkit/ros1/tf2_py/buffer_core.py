@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from simkit.graph.process.client import let_time_pass
 from simkit.msgs import Duration, Time
-from simkit.tf.buffer import Buffer
+from simkit.tf.buffer import Buffer, nanoseconds
 from simkit.tf.errors import TransformException
-from simkit.tf.time_argument import nanoseconds
 
 if TYPE_CHECKING:
     from simkit.ros1 import rospy

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from simkit.msgs import message_class
-from simkit.tf.feed import TransformFeed
+from simkit.tf.listener import TransformFeed
 
 if TYPE_CHECKING:
     from simkit.ros1.rospy.storing import StoringSubscriber, now_ns

@@ -16,7 +16,7 @@ import pytest
 from simkit.graph.process import client
 from simkit.msgs import Duration, Time, message_class
 from simkit.tf.buffer_core import BufferCore
-from simkit.tf.transform import StampedTransform
+from simkit.tf.path import StampedTransform
 
 SECOND = 10**9
 Xyz = Sequence[float]

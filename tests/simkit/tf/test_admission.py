@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from simkit.tf.admission import is_admissible, objections
+from simkit.tf.admission import BroadcasterWatch, is_admissible, objections, rotation_advice
 
 NAN = math.nan
 HALF = math.sqrt(0.5)
@@ -163,3 +163,48 @@ def test_the_quick_answer_is_never_better_than_the_objections(parent, child, pla
     assert not (quick and faults)
     if all(map(math.isfinite, (*place, *turn))) and math.isfinite(sum(map(abs, place))):
         assert quick == (not faults)
+
+
+# -- what a learner is told about a rotation that is none
+
+
+def test_a_rotation_needs_no_advice():
+    assert rotation_advice("a", (0.0, 0.0, 0.0, 1.0)) == ""
+
+
+@pytest.mark.parametrize(
+    ("rotation", "words"),
+    [
+        ((0.0, 0.0, 1.57, 0.0), "norm 1.57 instead of 1. If these are angles"),
+        ((0.0, 0.0, 0.0, 0.0), "all zeros"),
+        ((0.0, 0.0, math.nan, 1.0), "NaN"),
+    ],
+)
+def test_advice(rotation, words):
+    assert words in rotation_advice("carrot1", rotation)
+
+
+# -- two nodes that broadcast one frame
+
+
+def test_alternation_is_told_once():
+    watch = BroadcasterWatch()
+    said = []
+    for _ in range(3):
+        said.append(watch.note("carrot1", "turtle1", authority="/a"))
+        said.append(watch.note("carrot1", "world", authority="/b"))
+    assert [text for text in said if text] == [
+        'Frame "carrot1" has 2 broadcasters: /a (parent turtle1) and /b (parent world). '
+        "A frame has one parent and one broadcaster; it jumps between them."
+    ]
+
+
+def test_a_successor_is_no_rival():
+    watch = BroadcasterWatch()
+    senders = ["/a", "/a", "/b", "/b", "/c"]
+    assert not any(watch.note("f", "w", authority=sender) for sender in senders)
+
+
+def test_one_node_may_change_the_parent():
+    watch = BroadcasterWatch()
+    assert not any(watch.note("f", parent, authority="/a") for parent in "wvwv")

@@ -8,7 +8,7 @@ import pytest
 
 from simkit.msgs import Time
 from simkit.tf import Buffer, LookupException, TransformException
-from simkit.tf.hints import attach
+from simkit.tf.hints import attach, find_loop, trees
 
 
 @pytest.fixture
@@ -173,3 +173,23 @@ def test_a_hint_is_attached_once():
         attach(error, hint)
     assert error.hint == "do this"
     assert error.__notes__ == ["hint: do this"]
+
+
+# -- the shape of what a buffer holds
+
+
+def test_members_by_root(tree):
+    tree.put("world", "a", 1.0)
+    tree.put("a", "b", 1.0)
+    tree.put("odom", "base", 1.0)
+    assert trees(tree.core) == {"world": ["world", "a", "b"], "odom": ["odom", "base"]}
+    assert find_loop(tree.core) == []
+
+
+def test_a_loop_has_no_root(tree):
+    tree.put("b", "a", 1.0)
+    tree.put("a", "b", 1.0)
+    tree.put("a", "c", 1.0)
+    tree.put("c", "d", 1.0)
+    assert trees(tree.core) == {}
+    assert find_loop(tree.core) == ["a", "b"]
