@@ -19,7 +19,7 @@ from simkit.packages import PackagePath
 from simkit.physics import ORIGIN, LostModelError, Model, ModelPlan, World, plan_robot
 from simkit.physics.sdf import ModelLibrary, SdfModel, SdfWorld, plan_model, read_model_text
 from simkit.urdf import load_robot, read_robot
-from simkit.urdf.rules.brief import brief_lines
+from simkit.urdf.rules.check import brief_lines
 
 WORLD_FRAMES = ("", "world", "map", "/map")
 """Names of reference frames that mean the world."""

@@ -21,7 +21,7 @@ def robot_lines(plan: LaunchPlan, packages: PackagePath, simulation: object) -> 
         simulation: Whom they are reported to.
     """
     from simkit.urdf import read_robot
-    from simkit.urdf.rules.brief import brief_lines
+    from simkit.urdf.rules.check import brief_lines
 
     files = Files(packages, Budget())
     for name, value in plan.params.items():

@@ -1,20 +1,80 @@
-"""Runs the rules over a file."""
+"""Runs the rules over a file.
+
+A rule is a generator that is decorated with its row of the table, in the module of its subject. A row has a stable id: `URDF-`
+(what is written), `GZ-`, `CTL-` (what the simulation makes of it) and their kin; E, W or I for the worst that it reports (error,
+warning, note); and a number that is never used again.
+
+A subject is loaded when a file has what it looks at, so that the answer for a small robot comes soon.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+import importlib
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from simkit.diagnostics import Diagnostic, Find, Rule, Severity, in_order
-from simkit.urdf.rules.companion import Companion
-from simkit.urdf.rules.registry import rules_for
-from simkit.urdf.rules.sheet import MOST_FINDS, Sheet, read_sheet
+from simkit.diagnostics.table import in_table_order, rules_in
+from simkit.urdf.model import Mesh
+from simkit.urdf.rules.sheet import MOST_FINDS, Companion, Sheet, read_sheet
 from simkit.xml import Document, Span
 
 if TYPE_CHECKING:
     from simkit.packages import PackagePath
+    from simkit.urdf.reading import Reading
+
+
+def rules_for(sheet: Sheet) -> tuple[Rule, ...]:
+    """The rules that can find something in a file."""
+    return _rules_of(subject for subject, has_matter in _SUBJECTS.items() if has_matter(sheet))
+
+
+@cache
+def all_rules() -> tuple[Rule, ...]:
+    """All rules, by id within their group."""
+    return in_table_order(_rules_of(_SUBJECTS))
+
+
+def _rules_of(subjects: Iterable[str]) -> tuple[Rule, ...]:
+    modules = [importlib.import_module(f"{__package__}.{subject}") for subject in subjects]
+    return tuple(rule for module in modules for rule in rules_in(module))
+
+
+def _has_meshes(sheet: Sheet) -> bool:
+    bodies = (body for link in sheet.links for body in (*link.visuals, *link.collisions))
+    return any(isinstance(body.shape, Mesh) for body in bodies)
+
+
+def _has_bodies(sheet: Sheet) -> bool:
+    """Whether any link has mass, or can be touched: a robot to simulate, not only to look at."""
+    return any(link.inertial is not None or link.collisions for link in sheet.links)
+
+
+def _has_drive(sheet: Sheet) -> bool:
+    return any("drive" in (plugin.filename or "") for plugin in sheet.plugins)
+
+
+_SUBJECTS: Mapping[str, Callable[[Sheet], object]] = {
+    "document": lambda _: True,
+    **dict.fromkeys(
+        ("tree", "names", "parts", "words", "numbers", "angles", "mass"),
+        lambda sheet: sheet.robot is not None,
+    ),
+    **dict.fromkeys(("limits", "joints"), lambda sheet: sheet.joints),
+    "materials": lambda sheet: sheet.materials,
+    "meshes": _has_meshes,
+    **dict.fromkeys(("inertia", "shape_inertia", "shape_places", "spawn"), _has_bodies),
+    **dict.fromkeys(("gazebo_blocks", "colours"), lambda sheet: sheet.gazebo or _has_bodies(sheet)),
+    "sensors": lambda sheet: sheet.gazebo,
+    **dict.fromkeys(("plugins", "plugin_names"), lambda sheet: sheet.plugins),
+    "drive": _has_drive,
+    "transmissions": lambda sheet: sheet.plugins or sheet.transmissions or sheet.companions,
+    **dict.fromkeys(("controllers", "launch_files"), lambda sheet: sheet.companions),
+}
+"""Modules of this folder that have rules, each with what a file must have for them to find anything."""
 
 
 def check_robot(
@@ -59,3 +119,29 @@ def _looked(rule: Rule, sheet: Sheet) -> Iterable[Find]:
         what = f"the rule {rule.id} could not be applied: {type(error).__name__}: {error}"
         remedy = "This is a fault of simkit, not of your file; please report it with the file."
         return [Find(Span(1, 1), what=what, remedy=remedy, severity=Severity.NOTE)]
+
+
+MAX_LINES = 8
+"""So many finds are shown; check_urdf shows all."""
+
+
+def brief_lines(reading: Reading, *, is_file: bool) -> list[str]:
+    """What the rules say of a robot, in short: a line for each error and warning, and how to learn more.
+
+    Args:
+        reading: The robot.
+        is_file: Whether it is a file that check_urdf can be given.
+    """
+    file = reading.document.file
+    finds = [one for one in reading.diagnostics if one.severity is not Severity.NOTE]
+    lines = [_line(one) for one in finds[:MAX_LINES]]
+    if finds:
+        more = f"{len(finds) - MAX_LINES} more; " if len(finds) > MAX_LINES else ""
+        how = f"simkit check_urdf {file} says more" if is_file else "check_urdf says more"
+        lines.append(f"{more}{how}")
+    return lines
+
+
+def _line(find: Diagnostic) -> str:
+    place = f"{find.file}:{find.span.line}:{find.span.column}"
+    return f"{place}: {find.severity.value} [{find.rule}] {find.what}"

@@ -9,11 +9,45 @@ from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.model import Rgba
 from simkit.urdf.rules.bodies import mass_of
 from simkit.urdf.rules.entries import LinkEntry
-from simkit.urdf.rules.gazebo_words import COLOURS, PATTERNS, tag_value
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.values import shown
-from simkit.urdf.rules.wording import listed, quoted
+from simkit.urdf.rules.vocabulary import tag_value
+from simkit.urdf.rules.wording import listed, quoted, shown
 from simkit.xml import Element
+
+COLOURS: Mapping[str, tuple[float, float, float]] = {
+    "Black": (0.0, 0.0, 0.0),
+    "Blue": (0.0, 0.0, 1.0),
+    "DarkGrey": (0.175, 0.175, 0.175),
+    "Gold": (0.8, 0.65, 0.19),
+    "Green": (0.0, 1.0, 0.0),
+    "Grey": (0.3, 0.3, 0.3),
+    "Gray": (0.3, 0.3, 0.3),
+    "Indigo": (0.33, 0.0, 0.5),
+    "Orange": (1.0, 0.51, 0.05),
+    "Purple": (1.0, 0.0, 1.0),
+    "Red": (1.0, 0.0, 0.0),
+    "SkyBlue": (0.13, 0.44, 0.7),
+    "Turquoise": (0.0, 1.0, 1.0),
+    "White": (1.0, 1.0, 1.0),
+    "Yellow": (1.0, 1.0, 0.0),
+    "ZincYellow": (0.97, 0.95, 0.2),
+}
+"""Materials of Gazebo that are one colour: red, green, blue from 0 to 1, as seen in plain light."""
+
+PATTERNS = (
+    "BlueGlow", "BlueLaser", "BlueTransparent", "BuildingFrame", "Bricks", "CeilingTiled",
+    "CloudySky", "Chrome", "DarkGray", "DarkMagentaTransparent", "DarkOrangeTransparent",
+    "DarkYellow", "DepthMap", "Editor", "FlatBlack", "Fish", "Footway", "Grass", "GrayGrid",
+    "GreenGlow", "GreenTransparent", "GreyGradientSky", "GreyTransparent", "JointAnchor",
+    "LaserGlow", "LightBlueLaser", "LightOff", "LightOn", "LtGreenTransparent", "Mud",
+    "Orange", "OrangeTransparent", "PaintedWall", "PioneerBody", "Pedestrian", "PurpleGlow",
+    "RedBright", "RedGlow", "RedTransparent", "RedTransparentOverlay", "Residential", "Road",
+    "RustySteel", "RustyBarrel", "Runway", "Shell", "SkyBlue", "Smoke", "Spherical",
+    "TrunkTexture", "TurquoiseGlow", "TurquoiseGlowOutline", "WaveDisplay", "WhiteGlow",
+    "WireBox", "Wood", "WoodFloor", "WoodPallet", "WoodTile", "YellowGlow",
+    "YellowTransparent", "Motorway", "Steep",
+)  # fmt: skip
+"""More materials of Gazebo, which are pictures, glow, or let light through."""
 
 _PREFIX = "Gazebo/"
 _OTHER = 0.6

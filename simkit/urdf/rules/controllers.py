@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from simkit.diagnostics import Find, Severity, rule
-from simkit.urdf.rules.companion import CompanionKind
-from simkit.urdf.rules.controller_file import Controller, Faulty, controllers, gains_below
-from simkit.urdf.rules.joint_names import joint_advice, moving_joints
-from simkit.urdf.rules.meaning import nearest
-from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.values import shown
-from simkit.urdf.rules.wording import listed, meant, quoted
+from simkit.urdf.rules.companions import Controller, Faulty, controllers, gains_below
+from simkit.urdf.rules.plugin_names import joint_advice, moving_joints
+from simkit.urdf.rules.sheet import CompanionKind, Sheet
+from simkit.urdf.rules.vocabulary import nearest
+from simkit.urdf.rules.wording import listed, meant, quoted, shown
 
 _SINGLE = ("JointPositionController", "JointVelocityController", "JointEffortController")
 _GROUP = (

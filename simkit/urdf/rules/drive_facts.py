@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from simkit.geometry import Vector
 from simkit.urdf.frame import Frame
 from simkit.urdf.matrix import apply
+from simkit.urdf.rules.bodies import Standing, standing_shapes, zero_pose
 from simkit.urdf.rules.entries import JointEntry, PluginEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.tree_facts import is_whole
-from simkit.urdf.rules.values import read_number
-from simkit.urdf.rules.zero_pose import Standing, standing_shapes, zero_pose
+from simkit.urdf.rules.wording import read_number
 from simkit.urdf.wheel import round_part
 from simkit.xml import Element
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
-from simkit.urdf.rules.bodies import mass_of
+from simkit.urdf.rules.bodies import mass_of, parents_by_fixed_joint
 from simkit.urdf.rules.entries import GazeboEntry
-from simkit.urdf.rules.gazebo_words import (
+from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.tree_facts import is_whole
+from simkit.urdf.rules.vocabulary import (
     JOINT_TAGS,
     LINK_TAGS,
     MISNAMED,
@@ -15,14 +17,10 @@ from simkit.urdf.rules.gazebo_words import (
     ROBOT_TAGS,
     SWITCHES,
     is_switch,
+    nearest,
     tag_value,
 )
-from simkit.urdf.rules.lumps import parents_by_fixed_joint
-from simkit.urdf.rules.meaning import nearest
-from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.tree_facts import is_whole
-from simkit.urdf.rules.values import read_number, shown
-from simkit.urdf.rules.wording import listed, quoted
+from simkit.urdf.rules.wording import listed, quoted, read_number, shown
 from simkit.xml import Element
 
 _SILENT = "Gazebo drops the whole block, without a word."

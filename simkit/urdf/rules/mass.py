@@ -6,13 +6,11 @@ from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.placed_shape import volume
-from simkit.urdf.rules.bodies import LIGHTEST, mass_of, solid
+from simkit.urdf.rules.bodies import LIGHTEST, Lump, is_world, lumps, mass_of, solid
 from simkit.urdf.rules.entries import LinkEntry
-from simkit.urdf.rules.lumps import Lump, is_world, lumps
-from simkit.urdf.rules.paste import inertial_text, short
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.tree_facts import is_whole
-from simkit.urdf.rules.wording import called, listed, quoted
+from simkit.urdf.rules.wording import called, inertial_text, listed, quoted, short
 from simkit.xml import Attribute, Element
 
 _SMALL_BODY = (

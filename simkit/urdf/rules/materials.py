@@ -7,11 +7,17 @@ from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import MaterialEntry
-from simkit.urdf.rules.meaning import meant_attribute
-from simkit.urdf.rules.number_repair import mended
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.values import number_text, numbers_text, read_number, shown
-from simkit.urdf.rules.wording import meant, quoted
+from simkit.urdf.rules.vocabulary import meant_attribute
+from simkit.urdf.rules.wording import (
+    meant,
+    mended,
+    number_text,
+    numbers_text,
+    quoted,
+    read_number,
+    shown,
+)
 from simkit.xml import Attribute, Element
 
 _GREY = "the shape is drawn in a default colour"

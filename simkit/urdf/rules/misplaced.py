@@ -7,9 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from simkit.urdf.rules.values import numbers_text, read_numbers, shown
 from simkit.urdf.rules.vocabulary import WORDS
-from simkit.urdf.rules.wording import owner
+from simkit.urdf.rules.wording import numbers_text, owner, read_numbers, shown
 from simkit.xml import Element
 
 _BOTH = 'damping="..." friction="..."'

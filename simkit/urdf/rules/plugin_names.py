@@ -1,17 +1,38 @@
-"""A rule on plugins that name joints and links which are not there."""
+"""Rules about the names of links and joints that plugins are given."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from simkit.diagnostics import Find, Severity, rule
+from simkit.urdf.rules.bodies import parents_by_fixed_joint
 from simkit.urdf.rules.entries import PluginEntry
-from simkit.urdf.rules.joint_names import known_names
-from simkit.urdf.rules.lumps import parents_by_fixed_joint
 from simkit.urdf.rules.plugin_words import PLUGINS, Kind
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.wording import meant, quoted
+from simkit.urdf.rules.wording import listed, meant, quoted, shown
 from simkit.xml import Element
+
+_SHOWN = 8
+
+
+def moving_joints(sheet: Sheet) -> list[str]:
+    """The joints that one number moves, in the order of the file."""
+    return [joint.name for joint in sheet.joints if joint.moves and joint.name]
+
+
+def joint_advice(sheet: Sheet, name: str, moving: Sequence[str]) -> str:
+    """Which joint may be meant, or which ones there are."""
+    return meant(sheet.near(name, moving)).strip() or known_names("joints that move", moving)
+
+
+def known_names(kind: str, names: Sequence[str]) -> str:
+    """What there is of a kind, in a sentence."""
+    more = f", and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
+    return (
+        f"There are the {kind}: {listed(names[:_SHOWN])}{more}."
+        if names
+        else f"There are no {kind}."
+    )
 
 
 @rule("GZ-E09", "a plugin that names a joint or link that is not there", Severity.ERROR)
@@ -130,3 +151,77 @@ def _no_frame(sheet: Sheet, plugin: PluginEntry, name: str, value: str) -> Find:
 
 def _name_remedy(sheet: Sheet, kind: str, name: str, known: list[str]) -> str:
     return meant(sheet.near(name, known)).strip() or known_names(kind, known)
+
+
+_PLUGIN = "libgazebo_ros_joint_state_publisher.so"
+
+
+@rule("CTL-W06", "a list of joints that does not fit the robot", Severity.ERROR)
+def listed_joints(sheet: Sheet) -> Iterator[Find]:
+    """The list of joints in `<jointName>` does not fit the robot.
+
+    Symptom: `No transform from [lower_arm]` in RViz: a part of the robot hangs in the air. Or Gazebo ends with `Joint ...
+    does not exist!`.
+
+    Cause: A joint was added to the robot and not to the list, or its name is misspelt. The list is one line, with commas
+    between the names; blanks do not matter, line breaks do.
+
+    Remedy: All joints that move, in one `<jointName>`.
+
+    Right:
+
+        <jointName>hip, shoulder, elbow</jointName>
+    """
+    plugins = [plugin for plugin in sheet.plugins if plugin.filename == _PLUGIN]
+    listed_names: set[str] = set()
+    for plugin in plugins:
+        for element in plugin.element.all("jointName"):
+            yield from _wrong_names(sheet, element, listed_names)
+    mimicking = {joint.name for joint in sheet.joints if joint.mimic_element is not None}
+    unlisted = [
+        joint.name
+        for joint in sheet.joints
+        if joint.moves and joint.name and joint.name not in listed_names | mimicking
+    ]
+    first = next((found for one in plugins if (found := one.parameter("jointName"))), None)
+    if first is not None and unlisted:
+        every = ", ".join(moving_joints(sheet))
+        yield Find(
+            first.text_span or first,
+            severity=Severity.WARNING,
+            element=first,
+            what=f"the list of joints lacks {listed(unlisted)}",
+            here="Nobody says where these joints are: the links below have no frame.",
+            gazebo="Nobody says where these joints are: RViz shows no transform for the links below.",
+            remedy=f"Write <jointName>{shown(every)}</jointName>.",
+        )
+
+
+def _wrong_names(sheet: Sheet, element: Element, listed_names: set[str]) -> Iterator[Find]:
+    """What is wrong with the names in one list; the right ones are added to `listed_names`."""
+    names = element.text.strip().replace(" ", "").split(",")
+    moving = moving_joints(sheet)
+    known = set(moving)
+    one_line = shown(", ".join("".join(name.split()) for name in names))
+    for name in names:
+        bare = "".join(name.split())
+        if bare in known:
+            listed_names.add(bare)
+            if bare == name:
+                continue
+            what = f"a line break or tab stands in the list of joints, next to {quoted(bare)}"
+            remedy = f"Write the list in one line: {one_line}."
+        elif not bare:
+            what, remedy = "the list of joints has an empty name", "Leave out the needless comma."
+        else:
+            why = "which is fixed" if bare in sheet.joint_by_name else "and there is no such joint"
+            what = f"the list of joints names {quoted(bare)}, {why}"
+            remedy = joint_advice(sheet, bare, moving)
+        yield Find(
+            element.text_span or element,
+            element=element,
+            what=what,
+            here="simkit refuses to start the plugin.",
+            gazebo="Joint ... does not exist! The plugin then crashes Gazebo.",
+            remedy=remedy,
+        )

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import PluginEntry
-from simkit.urdf.rules.meaning import nearest
 from simkit.urdf.rules.plugin_words import (
     NEW_GAZEBO,
     NOT_HERE,
@@ -18,8 +17,8 @@ from simkit.urdf.rules.plugin_words import (
     PluginWord,
 )
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.values import read_number, shown
-from simkit.urdf.rules.wording import listed, quoted
+from simkit.urdf.rules.vocabulary import nearest
+from simkit.urdf.rules.wording import listed, quoted, read_number, shown
 from simkit.xml import Element
 
 _BOOLS = ("true", "false", "1", "0")

@@ -16,9 +16,15 @@ from simkit.urdf.rules.entries import (
     PluginEntry,
     TransmissionEntry,
 )
-from simkit.urdf.rules.meaning import first, meant_attribute, meant_children, meant_word
-from simkit.urdf.rules.values import read_number, read_rgba, read_vector
-from simkit.urdf.rules.vocabulary import SHAPES, WORDS
+from simkit.urdf.rules.vocabulary import (
+    SHAPES,
+    WORDS,
+    first,
+    meant_attribute,
+    meant_children,
+    meant_word,
+)
+from simkit.urdf.rules.wording import read_number, read_rgba, read_vector
 from simkit.xml import Element
 
 _TENSOR = WORDS["inertia"].required

@@ -9,13 +9,11 @@ from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.frame import Frame
 from simkit.urdf.model import Pose
 from simkit.urdf.placed_shape import PlacedShape
+from simkit.urdf.rules.bodies import Standing, standing_shapes, zero_pose
 from simkit.urdf.rules.entries import GazeboEntry
-from simkit.urdf.rules.paste import short
 from simkit.urdf.rules.plugin_words import PLUGINS, SENSOR_TYPES, SIMULATED_SENSORS
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.values import read_number, read_numbers
-from simkit.urdf.rules.wording import meant, quoted
-from simkit.urdf.rules.zero_pose import Standing, standing_shapes, zero_pose
+from simkit.urdf.rules.wording import meant, quoted, read_number, read_numbers, short
 from simkit.xml import Element
 
 _TURN = 2.0 * math.pi * 1.05

@@ -8,12 +8,10 @@ from collections.abc import Iterator, Sequence
 from simkit.diagnostics import Find, Severity, rule
 from simkit.geometry import Vector
 from simkit.urdf.placed_shape import PlacedShape, extent
-from simkit.urdf.rules.bodies import centre_of_mass, outline, placed_shape
+from simkit.urdf.rules.bodies import centre_of_mass, is_world, lumps, outline, placed_shape
 from simkit.urdf.rules.entries import BodyEntry, LinkEntry
-from simkit.urdf.rules.lumps import is_world, lumps
-from simkit.urdf.rules.paste import short, triple
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.wording import called, listed, quoted
+from simkit.urdf.rules.wording import called, listed, quoted, short, triple
 
 _OFF = 0.1
 "Shapes whose surfaces differ by less than this share of their size are in the same place."

@@ -6,13 +6,13 @@ so that each rule can look at its own matter. Misspelt words count as what they 
 
 from __future__ import annotations
 
+import enum
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from simkit.errors import near_names
-from simkit.urdf.rules.companion import Companion
 from simkit.urdf.rules.entries import (
     GazeboEntry,
     JointEntry,
@@ -22,7 +22,6 @@ from simkit.urdf.rules.entries import (
     TransmissionEntry,
 )
 from simkit.urdf.rules.lost_tags import with_lost_tags
-from simkit.urdf.rules.meaning import meant_word
 from simkit.urdf.rules.reading import (
     read_gazebo,
     read_joint,
@@ -31,11 +30,49 @@ from simkit.urdf.rules.reading import (
     read_plugins,
     read_transmission,
 )
-from simkit.urdf.rules.vocabulary import OTHER_TONGUES, WORDS
-from simkit.xml import Document, Element, FaultKind, Span
+from simkit.urdf.rules.vocabulary import OTHER_TONGUES, WORDS, meant_word
+from simkit.xml import Document, Element, FaultKind, Span, parse_xml
 
 if TYPE_CHECKING:
     from simkit.packages import PackagePath
+
+
+class CompanionKind(enum.Enum):
+    """What a companion is."""
+
+    LAUNCH = "launch"
+    YAML = "yaml"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Companion:
+    """One file beside the URDF."""
+
+    kind: CompanionKind
+    """What it is."""
+    file: str
+    """Name to show for it."""
+    text: str
+    """What is in it."""
+
+    def document(self) -> Document:
+        """It as XML, for a launch file."""
+        return parse_xml(self.text, file=self.file)
+
+    def values(self) -> Any:
+        """What a YAML file holds; None if it cannot be read."""
+        import yaml  # takes 20 ms to load, and most calls have no YAML
+
+        try:
+            return yaml.safe_load(self.text)
+        except (yaml.YAMLError, ValueError, RecursionError):
+            return None
+
+    def line(self, number: int) -> str:
+        """A line of it, from 1; empty beyond its end."""
+        lines = self.text.splitlines()
+        return lines[number - 1] if 0 < number <= len(lines) else ""
+
 
 Entry = TypeVar("Entry", LinkEntry, JointEntry)
 

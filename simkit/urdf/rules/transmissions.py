@@ -6,11 +6,10 @@ from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import TransmissionEntry
-from simkit.urdf.rules.joint_names import joint_advice, moving_joints
-from simkit.urdf.rules.meaning import nearest
+from simkit.urdf.rules.plugin_names import joint_advice, moving_joints
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.values import shown
-from simkit.urdf.rules.wording import listed, meant, quoted
+from simkit.urdf.rules.vocabulary import nearest
+from simkit.urdf.rules.wording import listed, meant, quoted, shown
 from simkit.xml import Element
 
 CONTROL = "libgazebo_ros_control.so"

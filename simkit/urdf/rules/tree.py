@@ -6,11 +6,16 @@ from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import JointEntry, LinkEntry
-from simkit.urdf.rules.loops import Loop, loops, two_parents
 from simkit.urdf.rules.sheet import MOST_FINDS, Sheet
-from simkit.urdf.rules.tree_facts import Wanted, names_for_spare_links, wanted_links
-from simkit.urdf.rules.values import shown
-from simkit.urdf.rules.wording import REFUSED, called, listed, meant, quoted
+from simkit.urdf.rules.tree_facts import (
+    Loop,
+    Wanted,
+    loops,
+    names_for_spare_links,
+    two_parents,
+    wanted_links,
+)
+from simkit.urdf.rules.wording import REFUSED, called, listed, meant, quoted, shown
 from simkit.xml import Attribute, Element
 
 

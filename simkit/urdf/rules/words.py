@@ -5,14 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
-from simkit.urdf.rules.grammar import in_context
-from simkit.urdf.rules.meaning import meant_word, misspelt_attributes, nearest
 from simkit.urdf.rules.misplaced import advice
-from simkit.urdf.rules.missing import missing_attributes
+from simkit.urdf.rules.parts import missing_attributes
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.values import shown
-from simkit.urdf.rules.vocabulary import SHAPES, WORDS
-from simkit.urdf.rules.wording import loss, part_of, quoted
+from simkit.urdf.rules.vocabulary import (
+    SHAPES,
+    WORDS,
+    in_context,
+    meant_word,
+    misspelt_attributes,
+    nearest,
+)
+from simkit.urdf.rules.wording import loss, part_of, quoted, shown
 from simkit.xml import Attribute, Element
 
 _SILENT = "ROS and Gazebo ignore it without a word."

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from simkit.urdf.rules.gazebo_words import COLOURS
+from simkit.urdf.rules.colours import COLOURS
 from simkit.viz.solid import Color
 
 GREY: Final[Color] = (0.7, 0.7, 0.7)

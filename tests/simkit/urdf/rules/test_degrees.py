@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from simkit.urdf.rules.degrees import look_like_degrees
+from simkit.urdf.rules.angles import look_like_degrees
 
 
 @pytest.mark.parametrize("angle", [7, 15, 45, -90, 120, 180, 360, 720, -135.5])

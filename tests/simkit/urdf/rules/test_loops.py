@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from simkit.urdf.rules.loops import loops, two_parents
 from simkit.urdf.rules.sheet import Sheet, read_sheet
+from simkit.urdf.rules.tree_facts import loops, two_parents
 from simkit.xml import parse_xml
 
 

@@ -4,7 +4,7 @@ import struct
 
 import pytest
 
-from simkit.urdf.rules.mesh_size import mesh_extent
+from simkit.urdf.rules.meshes import mesh_extent
 
 CORNERS = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.5), (0.0, 2.0, -0.5)]
 

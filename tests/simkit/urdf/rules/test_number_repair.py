@@ -2,7 +2,7 @@
 
 import pytest
 
-from simkit.urdf.rules.number_repair import mended
+from simkit.urdf.rules.wording import mended
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import pytest
 
 from simkit.diagnostics import Rule, Severity
 from simkit.urdf.rules import all_rules
-from simkit.urdf.rules.registry import rules_for
+from simkit.urdf.rules.check import rules_for
 from simkit.urdf.rules.sheet import read_sheet
 from simkit.xml import parse_xml
 

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from simkit.urdf.rules.gazebo_words import COLOURS, PATTERNS
+from simkit.urdf.rules.vocabulary import COLOURS, PATTERNS
 from simkit.viz.world.colors import GREY, gazebo_color
 
 

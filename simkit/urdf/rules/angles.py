@@ -1,4 +1,4 @@
-"""The rule about degrees where radians are meant."""
+"""Rules about angles: degrees where radians are meant, and right angles that are rounded."""
 
 from __future__ import annotations
 
@@ -8,8 +8,7 @@ from collections.abc import Iterator, Mapping
 from simkit.diagnostics import Find, Severity, rule
 from simkit.urdf.rules.entries import JointEntry, OriginEntry
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.values import number_text, numbers_text
-from simkit.urdf.rules.wording import called, part_of
+from simkit.urdf.rules.wording import called, number_text, numbers_text, part_of, short
 
 _FULL_TURN = 2 * math.pi * 1.05
 "A larger angle [rad] is more than a turn, rounding aside."
@@ -102,3 +101,70 @@ def _in_origin(origin: OriginEntry) -> Iterator[Find]:
 
 def _radians(angle_in_degrees: float) -> str:
     return f"{math.radians(angle_in_degrees):.4f}".rstrip("0").rstrip(".")
+
+
+_FINE, _ROUGH = 5e-5, 5e-3
+"Angles that miss a multiple of 90 degrees by more than the one and less than the other [rad] were rounded."
+_RIGHT = math.pi / 2.0
+
+
+@rule(
+    "URDF-I46",
+    "a right angle with too few digits",
+    Severity.NOTE,
+    here="simkit turns it by what is written.",
+    gazebo="ROS and Gazebo turn it by what is written.",
+)
+def rounded_angle(sheet: Sheet) -> Iterator[Find]:
+    """A right angle with too few digits.
+
+    Symptom: A wheel wobbles by a hair, an arm that should be level is not quite: a tenth of a degree is 2 mm at the end of a
+    metre.
+
+    Cause: 90 degrees are 1.570796 rad. 1.57 is 0.05 degrees less, 3.14 is 0.09 degrees less than 180.
+
+    Remedy: Six digits behind the point.
+
+    Wrong:
+
+        <origin rpy="1.57 0 0"/>
+
+    Right:
+
+        <origin rpy="1.570796 0 0"/>
+    """
+    found = [(origin, value) for origin in _origins(sheet) for value in _rounded(origin)]
+    if not found:
+        return
+    origin, value = found[0]
+    right = _RIGHT * round(value / _RIGHT)
+    more = f", and {len(found) - 1} more like it" if len(found) > 1 else ""
+    element = origin.element
+    if element is None:
+        return
+    yield Find(
+        element.attribute("rpy") or element,
+        element=element,
+        what=f"{value:g} misses {math.degrees(right):.0f}° by {short(abs(math.degrees(value - right)))}°{more}",
+        remedy=f"Write {right:.6f} if a right angle is meant; mostly it does not matter.",
+    )
+
+
+def _origins(sheet: Sheet) -> Iterator[OriginEntry]:
+    """All origins of a file, joints first."""
+    for joint in sheet.joints:
+        yield joint.origin
+    for link in sheet.links:
+        for body in (*link.visuals, *link.collisions):
+            yield body.origin
+        if link.inertial is not None:
+            yield link.inertial.origin
+
+
+def _rounded(origin: OriginEntry) -> list[float]:
+    """The angles of an origin that miss a multiple of 90 degrees, not 0, by a little."""
+    return [
+        value
+        for value in origin.rpy or ()
+        if abs(value) > 1.0 and _FINE < abs(value - _RIGHT * round(value / _RIGHT)) < _ROUGH
+    ]

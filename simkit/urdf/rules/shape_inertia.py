@@ -1,20 +1,22 @@
-"""Rules that compare the inertia of a link with its shape.
-
-One link is told of once: an inertia with its axes mixed up is also too large about one of them, and so on.
-"""
+"""Rules about the inertia of a link beside that of its shapes."""
 
 from __future__ import annotations
 
 import enum
+import itertools
 from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
-from simkit.urdf.inertia import gyration_radius
-from simkit.urdf.matrix import Matrix, eigenvalues
+from simkit.geometry import Vector
+from simkit.urdf.frame import Frame
+from simkit.urdf.inertia import gyration_radius, shape_tensor, turned
+from simkit.urdf.matrix import Matrix, eigenvalues, product, rotation_matrix, transpose
 from simkit.urdf.model import Cylinder
-from simkit.urdf.rules.axis_order import is_swapped, swapped_remedy
 from simkit.urdf.rules.bodies import (
+    counts,
     fitting_tensor,
+    frame_of,
+    lumps,
     mass_of,
     outline,
     reach,
@@ -22,13 +24,72 @@ from simkit.urdf.rules.bodies import (
     tensor_of,
 )
 from simkit.urdf.rules.entries import LinkEntry
-from simkit.urdf.rules.lumps import counts, lumps
-from simkit.urdf.rules.paste import short
+from simkit.urdf.rules.inertia import has_odd_moment, is_plausible, tensor_remedy
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.tensor import is_plausible, tensor_remedy
-from simkit.urdf.rules.tensor_slip import has_odd_moment
-from simkit.urdf.rules.wording import called
+from simkit.urdf.rules.wording import called, short, tensor_text, triple
 from simkit.xml import Element
+
+_SAME, _OTHER = 0.03, 0.1
+"Shares of a tensor's trace: entries that differ by less are the same, by more are not."
+
+
+def is_swapped(link: LinkEntry, written: Matrix) -> bool:
+    """Whether a tensor fits the only shape of a link, but in another order of its axes."""
+    relative = _shape_in_inertial(link)
+    if relative is None:
+        return False
+    tensor = turned(written, transpose(relative.rotation))
+    trace = tensor[0][0] + tensor[1][1] + tensor[2][2]
+    if max(abs(tensor[0][1]), abs(tensor[0][2]), abs(tensor[1][2])) > _SAME * trace:
+        return False
+    own = _shares((tensor[0][0], tensor[1][1], tensor[2][2]))
+    shape = shape_tensor(solid(link)[0].shape, 1.0)
+    right = _shares((shape[0][0], shape[1][1], shape[2][2]))
+    orders = [_distance(own, (a, b, c)) for a, b, c in itertools.permutations(right)]
+    return _distance(own, right) > _OTHER and min(orders) < _SAME
+
+
+def _shape_in_inertial(link: LinkEntry) -> Frame | None:
+    """Where the only shape of a link stands in its `<inertial>`; None if there are more."""
+    shapes = solid(link)
+    frame = None if link.inertial is None else frame_of(link.inertial.origin)
+    if len(shapes) != 1 or frame is None:
+        return None
+    return frame.from_here(shapes[0].frame)
+
+
+def swapped_remedy(link: LinkEntry, fitting: Matrix) -> str:
+    """What would be right, for a link whose inertia is of that kind; `fitting` is the tensor of its shape."""
+    here = f"Write {tensor_text(fitting)}"
+    shape = (link.collisions or link.visuals)[0].origin
+    rpy = shape.rpy
+    if link.inertial is None or rpy is None or link.inertial.origin.rpy == rpy:
+        return f"{here}."
+    in_shape = _turned_back(fitting, link.inertial.origin.rpy, rpy)
+    same = tensor_of(link.inertial)
+    if same is None or _distance(_diagonal_shares(in_shape), _diagonal_shares(same)) > _SAME:
+        return f"{here}."
+    return f'Give the <origin> of the <inertial> the angles of the shape, rpy="{triple(rpy)}". Or {here[0].lower()}{here[1:]}.'
+
+
+def _turned_back(tensor: Matrix, rpy: Vector | None, shape_rpy: Vector) -> Matrix:
+    """A tensor in the axes of an `<inertial>`, in those of the shape."""
+    rotation = rotation_matrix(rpy or (0.0, 0.0, 0.0))
+    return turned(tensor, product(transpose(rotation_matrix(shape_rpy)), rotation))
+
+
+def _shares(moments: Vector) -> Vector:
+    whole = sum(moments)
+    return (moments[0] / whole, moments[1] / whole, moments[2] / whole)
+
+
+def _diagonal_shares(tensor: Matrix) -> Vector:
+    return _shares((tensor[0][0], tensor[1][1], tensor[2][2]))
+
+
+def _distance(left: Vector, right: Vector) -> float:
+    return max(abs(a - b) for a, b in zip(left, right, strict=True))
+
 
 _WIDER = 1.05
 "A radius of gyration that exceeds the reach of the shape by less may be rounded."

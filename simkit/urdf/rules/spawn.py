@@ -1,4 +1,4 @@
-"""Rules on the robot as it stands when it is spawned, all joints at 0: in the floor, or in itself."""
+"""Rules about the robot as it stands when it is spawned, all joints at 0: in the floor, in itself, or as the ground."""
 
 from __future__ import annotations
 
@@ -6,16 +6,14 @@ import math
 from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
+from simkit.urdf.fixed_joints import WORLD
 from simkit.urdf.model import Cylinder
 from simkit.urdf.placed_shape import PlacedShape, extent, overlap
-from simkit.urdf.rules.bodies import simple_shapes
-from simkit.urdf.rules.entries import JointEntry
-from simkit.urdf.rules.lumps import is_world, lumps
-from simkit.urdf.rules.paste import short
+from simkit.urdf.rules.bodies import is_world, lumps, simple_shapes, standing_shapes, zero_pose
+from simkit.urdf.rules.entries import JointEntry, LinkEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.tree_facts import is_whole
-from simkit.urdf.rules.wording import quoted
-from simkit.urdf.rules.zero_pose import standing_shapes, zero_pose
+from simkit.urdf.rules.wording import quoted, short
 from simkit.urdf.wheel import is_wheel
 
 _DEEP = 0.05
@@ -200,7 +198,7 @@ def _spawn_height(sheet: Sheet) -> float | None:
     """How high a launch file beside the URDF spawns the robot [m]; None if there is none that does."""
     if not sheet.companions:
         return None
-    from simkit.urdf.rules.launch_facts import spawn_height  # most calls have no launch file
+    from simkit.urdf.rules.companions import spawn_height  # most calls have no launch file
 
     return spawn_height(sheet)
 
@@ -208,3 +206,48 @@ def _spawn_height(sheet: Sheet) -> float | None:
 def _up(height: float) -> str:
     """A height [m] in millimetres, rounded up but for what does not matter."""
     return f"{math.ceil((height - _BELOW) * 1000) / 1000:g}"
+
+
+@rule(
+    "GZ-W15",
+    "a root link called world that has a shape or a mass",
+    Severity.WARNING,
+    here="rviz shows it; in a world it is left out, as in Gazebo, and the robot is tied to the ground.",
+    gazebo="Gazebo leaves out the link with all that it has, and ties its joints to the ground, without a word.",
+    remedy='Call it otherwise, e.g. name="base_link"; to tie it down, add <link name="world"/> and a fixed joint.',
+)
+def world_with_a_body(sheet: Sheet) -> Iterator[Find]:
+    """A root link called `world` that has a shape or a mass.
+
+    Symptom: RViz shows the base of the robot; in Gazebo it is missing, and the robot stands screwed to nothing.
+
+    Cause: A root link of the name `world` is the ground of Gazebo. Gazebo makes no link of it, and drops its shapes and its
+    mass; the joints below it tie the robot to the ground.
+
+    Remedy: Leave `<link name="world"/>` empty. What is seen and touched belongs into a link of its own below it.
+
+    Right:
+
+        <link name="world"/>
+        <joint name="stand" type="fixed">
+          <parent link="world"/>
+          <child link="base_link"/>
+        </joint>
+    """
+    link = sheet.link_by_name.get(WORLD)
+    if link is None or not is_world(sheet, WORLD) or not _parts(link):
+        return
+    yield Find(
+        link.element.attribute("name") or link.element,
+        element=link.element,
+        what=f"the root link 'world' has {' and '.join(_parts(link))}, but Gazebo takes it for the ground",
+    )
+
+
+def _parts(link: LinkEntry) -> list[str]:
+    parts = {
+        "a visual": bool(link.visuals),
+        "a collision": bool(link.collisions),
+        "a mass": link.inertial is not None,
+    }
+    return [name for name, is_there in parts.items() if is_there]
