@@ -7,6 +7,7 @@ from typing import Final
 
 from simkit.saving import save_as
 from simkit.viz.page import inline_frame
+from simkit.viz.plots.recorded import RecordedTopics
 from simkit.viz.robot_solids import RobotShapes
 from simkit.viz.rviz_page import TITLE, page_height, view_page
 from simkit.viz.rviz_settings import RvizSettings
@@ -14,7 +15,6 @@ from simkit.viz.rviz_tape import RvizTape, rviz_tape
 from simkit.viz.scene_data import scene_data
 from simkit.viz.tape_controls import tape_controls
 from simkit.viz.topics.topic_tape import track_data
-from simkit.viz.transform_series import RecordedTopics
 
 _CONTROLS_HEIGHT: Final = 45
 

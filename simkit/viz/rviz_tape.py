@@ -10,13 +10,13 @@ from typing import Any, Final
 from simkit.geometry import Vector
 from simkit.tf import Buffer
 from simkit.viz.draw.thinning import Row, thinned
+from simkit.viz.plots.recorded import RecordedTopics
 from simkit.viz.robot_solids import RobotShapes
 from simkit.viz.rviz_settings import RvizSettings
 from simkit.viz.scene import Scene, corners, make_scene
 from simkit.viz.stage import AXIS_SHARE, AXIS_SHARE_OF_ROBOT, stage_for
 from simkit.viz.tf_scene import FramePose, tf_scene
 from simkit.viz.topics.topic_tape import TopicTape, TopicTrack
-from simkit.viz.transform_series import RecordedTopics
 
 STEP_NS: Final = 33_000_000
 """The view is looked at no oftener than this [ns]."""

@@ -18,7 +18,7 @@ from simkit.tf import (
     Transform,
     TransformException,
 )
-from simkit.viz.forest import forest_of
+from simkit.viz.trees.forest import forest_of
 
 _AXES: tuple[Vector, Vector, Vector] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 _FAR = 1e12

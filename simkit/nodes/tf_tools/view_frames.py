@@ -26,7 +26,7 @@ class _ViewFrames(Program):
         node.create_timer(LISTENS, self._write)
 
     def _write(self) -> None:
-        from simkit.viz.frames_picture import FramesPicture
+        from simkit.viz.trees.frames import FramesPicture
 
         picture = FramesPicture(self._buffer, now=self._node.now())
         try:

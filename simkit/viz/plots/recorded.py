@@ -1,13 +1,24 @@
-"""Finds the topics of a type in a recording, and the time of their messages."""
+"""What plots need of a recording: the topics of a type, and the time of their messages."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterable, Iterator
+from typing import Any, Protocol
 
 from simkit.errors import SimkitError, UnknownNameError
-from simkit.msgs import Time
-from simkit.viz.transform_series import RecordedTopics
+from simkit.msgs import Message, Time
+
+
+class RecordedTopics(Protocol):
+    """What `sim.record(["/tf"])` answers."""
+
+    def topics(self) -> list[str]:
+        """Names of the recorded topics."""
+        ...
+
+    def __getitem__(self, topic: str) -> Iterable[tuple[Time, Message]]:
+        """Messages of a topic with their times."""
+        ...
 
 
 def recorded_topic(recording: RecordedTopics, type_name: str, topic: str | None) -> str:

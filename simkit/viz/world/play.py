@@ -11,11 +11,11 @@ from simkit.errors import UnknownNameError
 from simkit.geometry import Vector
 from simkit.viz.draw.thinning import Row, thinned
 from simkit.viz.marks import Marks
+from simkit.viz.plots.recorded import RecordedTopics
 from simkit.viz.scene import Scene
 from simkit.viz.tf_scene import FramePose
 from simkit.viz.topics.topic_marks import Shown
 from simkit.viz.topics.topic_tape import TopicTrack
-from simkit.viz.transform_series import RecordedTopics
 from simkit.viz.world.marks import ForceScale, contact_marks, laser_marks
 from simkit.viz.world.scene import link_poses, outline, world_scene
 from simkit.viz.world.settings import WorldSettings

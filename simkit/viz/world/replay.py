@@ -8,11 +8,11 @@ from typing import Any, Final
 
 from simkit.saving import save_as
 from simkit.viz.page import inline_frame
+from simkit.viz.plots.recorded import RecordedTopics
 from simkit.viz.rviz_page import page_height, view_page
 from simkit.viz.scene_data import scene_data
 from simkit.viz.tape_controls import tape_controls
 from simkit.viz.topics.topic_tape import track_data
-from simkit.viz.transform_series import RecordedTopics
 from simkit.viz.world.play import WorldPlay, world_play
 from simkit.viz.world.settings import WorldSettings
 from simkit.viz.world.tape import WorldTape

@@ -12,9 +12,9 @@ from simkit.errors import UnknownNameError
 from simkit.geometry import Transform, Vector
 from simkit.viz.draw.thinning import Row
 from simkit.viz.marks import Marks
+from simkit.viz.plots.recorded import RecordedTopics
 from simkit.viz.topics.topic_marks import Shown
 from simkit.viz.topics.topic_tape import TopicTrack
-from simkit.viz.transform_series import RecordedTopics
 from simkit.viz.world.tape import WorldTape
 
 ODOMETRY: Final = "nav_msgs/Odometry"

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from simkit.viz.forest import forest_of
+from simkit.viz.trees.forest import forest_of
 
 
 def shape(tree):

@@ -8,7 +8,7 @@ from simkit import Simulation
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.msgs import Time, message_class
 from simkit.viz import PathPlot
-from simkit.viz.plots.path_series import end_error, laid_on, path_series, within
+from simkit.viz.plots.paths import end_error, laid_on, path_series, within
 
 
 class Ways:

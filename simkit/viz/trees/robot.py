@@ -1,47 +1,77 @@
-"""The page of a robot's tree: heading, tree, key."""
+"""The tree of a robot as a picture and for graphviz: a box for each link, on the line to its parent the joint."""
 
 from __future__ import annotations
 
 from simkit.urdf.model import Joint, JointType, Limit, Mimic, Robot
 from simkit.urdf.tree_text import axis_text, number_text, vector_text
 from simkit.urdf.urdfdom.tree import children_by_link
-from simkit.viz.draw.drawing import Drawing, Line, Point, Shape, Text
+from simkit.viz.draw.drawing import Drawing, Shape, Text
 from simkit.viz.draw.letters import shortened, text_width
-from simkit.viz.tree_drawing import GREY, INK, PAPER, tree_shapes
-from simkit.viz.tree_layout import LONGEST, CardNode, tree_layout
+from simkit.viz.trees.drawing import (
+    GREY,
+    INK,
+    MARGIN,
+    PAPER,
+    READABLE_WIDTH,
+    SMALL,
+    TreePicture,
+    dot_quoted,
+    key_of_broken_lines,
+    tree_shapes,
+)
+from simkit.viz.trees.layout import LONGEST, CardNode, tree_layout
 
-_MARGIN = 18.0
-_READABLE_WIDTH = 1000.0
-"Up to this width a page of a notebook shows a tree that grows downwards."
-_SMALL = 12.5
 _TITLE = 15.0
 _TOP = 62.0
 _FIXED = "broken line: a fixed joint"
 
 
-def draw_robot_tree(robot: Robot) -> Drawing:
+class RobotTree(TreePicture):
+    """What `urdf_to_graphviz` draws of a URDF: links, joints, and where each joint is.
+
+    Args:
+        robot: The robot.
+
+    Source:
+        urdf_to_graphviz of urdfdom has the names and origins; type, axis and limits are ours, and so is the layout.
+    """
+
+    def __init__(self, robot: Robot) -> None:
+        self._robot = robot
+
+    def to_dot(self) -> str:
+        """The tree in graphviz' language, as urdf_to_graphviz writes it."""
+        return _robot_dot_text(self._robot)
+
+    def __repr__(self) -> str:
+        robot = self._robot
+        return f"RobotTree({robot.name}: {len(robot.links)} links, {len(robot.joints)} joints)"
+
+    def _drawing(self) -> Drawing:
+        return _draw_robot_tree(self._robot)
+
+
+def _draw_robot_tree(robot: Robot) -> Drawing:
     """The page for a robot."""
     nodes = robot_nodes(robot)
     layout = tree_layout(nodes, is_sideways=False)
-    if layout.size[0] > _READABLE_WIDTH:
+    if layout.size[0] > READABLE_WIDTH:
         layout = tree_layout(nodes, is_sideways=True)
     heading = _heading(robot)
-    width = max(
-        layout.size[0], *(_width(line) for line in heading), text_width(_FIXED, _SMALL) + 60
-    )
+    width = max(layout.size[0], *(_width(line) for line in heading), text_width(_FIXED, SMALL) + 60)
     bottom = _TOP + layout.size[1]
     shapes: list[Shape] = [
         *heading,
-        *tree_shapes(layout, ((width + 2 * _MARGIN - layout.size[0]) / 2, _TOP)),
+        *tree_shapes(layout, ((width + 2 * MARGIN - layout.size[0]) / 2, _TOP)),
     ]
     if any(node.is_dashed for node in nodes):
-        shapes += _key((_MARGIN, bottom + 8))
+        shapes += key_of_broken_lines((MARGIN, bottom + 8), _FIXED)
         bottom += 10
     return Drawing(
         title=f"Links and joints of {robot.name}",
         description=" ".join(_sentence(robot.joints[name]) for name in sorted(robot.joints))
         or f"One link: {robot.root}.",
-        size=(round(width + 2 * _MARGIN), round(bottom + _MARGIN)),
+        size=(round(width + 2 * MARGIN), round(bottom + MARGIN)),
         background=PAPER,
         shapes=tuple(shapes),
     )
@@ -112,8 +142,8 @@ def _heading(robot: Robot) -> list[Text]:
     )
     title = shortened(robot.name, LONGEST) or "a robot without a name"
     return [
-        Text(place=(_MARGIN, 30), text=title, color=INK, size=_TITLE, bold=True),
-        Text(place=(_MARGIN, 50), text=counted, color=GREY, size=_SMALL),
+        Text(place=(MARGIN, 30), text=title, color=INK, size=_TITLE, bold=True),
+        Text(place=(MARGIN, 50), text=counted, color=GREY, size=SMALL),
     ]
 
 
@@ -121,13 +151,34 @@ def _width(line: Text) -> float:
     return text_width(line.text, line.size) * (1.15 if line.bold else 1.0)
 
 
-def _key(place: Point) -> list[Shape]:
-    x, y = place
-    return [
-        Line(points=((x, y - 4), (x + 32, y - 4)), color=GREY, width=1.6, dashed=True),
-        Text(place=(x + 42, y), text=_FIXED, color=GREY, size=_SMALL - 1),
-    ]
-
-
 def _sentence(joint: Joint) -> str:
     return f"{joint.child} hangs on {joint.parent} by {joint.name} ({joint.type.value})."
+
+
+def _robot_dot_text(robot: Robot) -> str:
+    r"""The tree as a digraph: boxes for links, ellipses for joints; the `\n` in the labels are graphviz' own.
+
+    Source:
+        urdf_to_graphviz of urdfdom 3.0, which quotes nothing in names, and writes -0 for many a 0.
+    """
+    links = [f"{dot_quoted(name)} [label={dot_quoted(name)}];" for name in sorted(robot.links)]
+    joints = [line for name in sorted(robot.joints) for line in _edges(robot.joints[name])]
+    return "\n".join(
+        [
+            "digraph G {",
+            "node [shape=box];",
+            *links,
+            "node [shape=ellipse, color=blue, fontcolor=blue];",
+            *joints,
+            "}\n",
+        ]
+    )
+
+
+def _edges(joint: Joint) -> tuple[str, str]:
+    xyz, rpy = vector_text(joint.origin.xyz), vector_text(joint.origin.rpy)
+    name = dot_quoted(joint.name)
+    return (
+        f'{dot_quoted(joint.parent)} -> {name} [label="xyz: {xyz} \\nrpy: {rpy}"]',
+        f"{name} -> {dot_quoted(joint.child)}",
+    )

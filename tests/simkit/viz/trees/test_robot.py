@@ -7,7 +7,7 @@ import pytest
 from simkit.errors import UnknownNameError
 from simkit.urdf import load_robot
 from simkit.viz import RobotTree
-from simkit.viz.robot_sheet import robot_nodes
+from simkit.viz.trees.robot import robot_nodes
 
 SVG = "{http://www.w3.org/2000/svg}"
 

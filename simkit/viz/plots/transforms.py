@@ -1,32 +1,27 @@
-"""A transform over time, as numbers to plot."""
+"""A transform over time, as numbers and as a figure: position and yaw over virtual seconds."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, Final, Protocol
+from typing import TYPE_CHECKING, Any, Final
 
 from simkit.geometry import roll_pitch_yaw
-from simkit.msgs import Duration, Message, Time
+from simkit.msgs import Duration, Time
 from simkit.tf import Buffer, BufferCore, TransformException
+from simkit.viz.draw.letters import shortened
+from simkit.viz.plots.plot import Plot, finish, panels
+from simkit.viz.plots.recorded import RecordedTopics
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 SAMPLES: Final = 801
 """So many values are taken of a transform."""
 _FOR_EVER = Duration(10**8)
 "A recording is never too long for a buffer of this many seconds."
-
-
-class RecordedTopics(Protocol):
-    """What `sim.record(["/tf"])` answers."""
-
-    def topics(self) -> list[str]:
-        """Names of the recorded topics."""
-        ...
-
-    def __getitem__(self, topic: str) -> Iterable[tuple[Time, Message]]:
-        """Messages of a topic with their times."""
-        ...
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,3 +116,66 @@ def _unwrapped(angles: Iterable[float]) -> tuple[float, ...]:
         turns = round((found[-1] - angle) / (2 * math.pi)) if found else 0
         found.append(angle + 2 * math.pi * turns)
     return tuple(found)
+
+
+_COLORS = {"x": "#d92d2d", "y": "#21913c", "z": "#2b6fe0", "yaw": "#7a4fb5"}
+# Where two lines are one, the gaps of the upper show the lower; and red and green look alike to some.
+_STYLES = {"x": "-", "y": (0, (7, 3)), "z": (0, (2, 2)), "yaw": "-"}
+_LONGEST = 40
+
+
+class TransformPlot(Plot):
+    """x, y, z and yaw of one frame seen from another.
+
+    Args:
+        transforms: A buffer, which reaches 10 s back, or a recording of /tf (and /tf_static).
+        target: The frame it is seen from.
+        source: The frame that is seen.
+
+    Attributes:
+        series: The numbers that are plotted.
+
+    Raises:
+        TransformException: There is no way between the frames; `hint` says what to do.
+    """
+
+    def __init__(self, transforms: Buffer | RecordedTopics, *, target: str, source: str) -> None:
+        self.series: TransformSeries = transform_series(transforms, target=target, source=source)
+
+    @property
+    def title(self) -> str:
+        """Which frame it shows, and from where."""
+        return _title(self.series)
+
+    def figure(self) -> Figure:
+        """Position above, yaw below."""
+        return _figure(self.series)
+
+
+def _title(series: TransformSeries) -> str:
+    source, target = (shortened(name, _LONGEST) for name in (series.source, series.target))
+    return f'"{source}" seen from "{target}"'
+
+
+def _figure(series: TransformSeries) -> Figure:
+    figure, (above, below) = panels(_title(series), (3, 2))
+    for name, values in (("x", series.x), ("y", series.y), ("z", series.z)):
+        _draw(above, series.seconds, values, name)
+    above.set_ylabel("position [m]")
+    _draw(below, series.seconds, series.yaw, "yaw")
+    below.set_ylabel("yaw [rad]")
+    below.set_xlabel(_time_label(series))
+    finish((above, below))
+    return figure
+
+
+def _draw(axes: Axes, seconds: tuple[float, ...], values: tuple[float, ...], name: str) -> None:
+    if len(values) == 1:
+        seconds, values = (0.0, 1.0), values * 2
+    axes.plot(seconds, values, color=_COLORS[name], linestyle=_STYLES[name], label=name)
+
+
+def _time_label(series: TransformSeries) -> str:
+    if not series.start:
+        return "virtual time [s]; a static transform, the same at every time"
+    return f"virtual time [s] since {series.start.to_sec():.3f}"

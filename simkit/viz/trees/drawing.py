@@ -1,12 +1,15 @@
-"""One tree as shapes: a box for each node, its facts on the line to its parent."""
+"""One tree as shapes: a box for each node, its facts on the line to its parent; and what pages of trees share."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from pathlib import Path
 
-from simkit.viz.draw.drawing import Area, Box, Curve, Group, Line, Point, Shape, Text
+from simkit.saving import save_as
+from simkit.viz.draw.drawing import Area, Box, Curve, Drawing, Group, Line, Point, Shape, Text
 from simkit.viz.draw.letters import shortened
-from simkit.viz.tree_layout import (
+from simkit.viz.draw.svg import svg_text
+from simkit.viz.trees.layout import (
     CARD_PADDING,
     FACT_HEIGHT,
     FACT_SIZE,
@@ -19,9 +22,82 @@ from simkit.viz.tree_layout import (
 )
 
 PAPER, INK, GREY = "#ffffff", "#1d2733", "#5b6b7d"
+MARGIN, SMALL = 18.0, 12.5
+"""Border of a page, and size of its small letters [px]."""
+READABLE_WIDTH = 1000.0
+"""Up to this width a page of a notebook shows trees that grow downwards [px]."""
 _LINE, _CARD, _CARD_EDGE = "#7d8fa3", "#fbfcfe", "#ccd6e2"
 _FRAME, _FRAME_EDGE, _ROOT = "#e6f0fd", "#3a6fb0", "#1f4f8f"
 _LOOP, _LOOP_INK = "#fdeceb", "#b3261e"
+
+
+class TreePicture:
+    """A picture that shows itself in a notebook and writes the files that all trees have."""
+
+    def _drawing(self) -> Drawing:
+        raise NotImplementedError
+
+    def to_dot(self) -> str:
+        """The tree in graphviz' language."""
+        raise NotImplementedError
+
+    def to_svg(self) -> str:
+        """The tree as an SVG document; equal trees give equal text."""
+        return svg_text(self._drawing())
+
+    def to_png(self, *, scale: float = 2.0) -> bytes:
+        """The tree as a PNG file.
+
+        Args:
+            scale: Pixels of the file per pixel of the SVG.
+        """
+        from simkit.viz.draw.figure import png_bytes
+
+        return png_bytes(self._drawing(), scale=scale)
+
+    def to_pdf(self) -> bytes:
+        """The tree as a PDF file of one page."""
+        from simkit.viz.draw.figure import pdf_bytes
+
+        return pdf_bytes(self._drawing())
+
+    def save(self, path: str | Path) -> None:
+        """Write a file: `.svg`, `.pdf`, `.png` or `.gv` by its suffix.
+
+        Raises:
+            UnknownNameError: The suffix is another one.
+        """
+        save_as(path, self._writers())
+
+    def _writers(self) -> dict[str, Callable[[], str | bytes]]:
+        return {".gv": self.to_dot, ".pdf": self.to_pdf, ".png": self.to_png, ".svg": self.to_svg}
+
+    def _repr_svg_(self) -> str:
+        return self.to_svg()
+
+
+def dot_quoted(text: str) -> str:
+    """A text between quotes, for graphviz."""
+    return f'"{dot_escaped(text)}"'
+
+
+def dot_escaped(text: str) -> str:
+    """A text that is to stand between quotes, for graphviz."""
+    return text.replace("\\", "\\\\").replace('"', '\\"')
+
+
+def key_of_broken_lines(place: Point, text: str) -> list[Shape]:
+    """What a broken line means, below the trees.
+
+    Args:
+        place: Left end of the key [px].
+        text: What it says.
+    """
+    x, y = place
+    return [
+        Line(points=((x, y - 4), (x + 32, y - 4)), color=GREY, width=1.6, dashed=True),
+        Text(place=(x + 42, y), text=text, color=GREY, size=SMALL - 1),
+    ]
 
 
 def tree_shapes(layout: TreeLayout, origin: Point) -> Iterator[Shape]:
