@@ -68,6 +68,12 @@ class Transform(NamedTuple):
         tx, ty, tz = self.translation
         return (tx + x, ty + y, tz + z)
 
+    def apply_back(self, point: Vector) -> Vector:
+        """p_b of a point p_a [m]."""
+        x, y, z = point
+        tx, ty, tz = self.translation
+        return rotate(conjugate(self.rotation), (x - tx, y - ty, z - tz))
+
     def rotate(self, vector: Vector) -> Vector:
         """A direction, velocity or force known in b, seen in a: without the translation."""
         return rotate(self.rotation, vector)
@@ -215,6 +221,11 @@ def roll_pitch_yaw(q: Quaternion) -> Vector:
     m00, m10 = 1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + z * w)
     m21, m22 = 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)
     return (math.atan2(m21, m22), -math.asin(m20), math.atan2(m10, m00))
+
+
+def matrix_from_rpy(rpy: Vector) -> Matrix:
+    """R = Rz Ry Rx of roll, pitch, yaw [rad], as rows."""
+    return matrix_from_quaternion(quaternion_from_rpy(rpy))
 
 
 def matrix_from_quaternion(q: Quaternion) -> Matrix:

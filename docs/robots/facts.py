@@ -8,10 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from simkit.diagnostics import Diagnostic
-from simkit.geometry import Vector
+from simkit.geometry import Transform, Vector
 from simkit.packages import PackagePath
 from simkit.urdf import Box, Cylinder, Robot, Sphere, check_urdf_text, read_robot
-from simkit.urdf.frame import Frame
 from simkit.urdf.placed_shape import PlacedShape
 from simkit.urdf.rules import check_robot
 
@@ -91,21 +90,21 @@ def _first_comment(text: str) -> str:
     return " ".join(found[1].split()) if found else ""
 
 
-def _frames(robot: Robot) -> dict[str, Frame]:
+def _frames(robot: Robot) -> dict[str, Transform]:
     """T_root_link of each link, with all joints at 0."""
-    found = {robot.root: Frame()}
+    found = {robot.root: Transform()}
     waiting = [robot.root]
     for link in waiting:
         for joint in robot.joints_below(link):
-            found[joint.child] = found[link].then(Frame.of(joint.origin))
+            found[joint.child] = found[link] @ joint.origin.transform
             waiting.append(joint.child)
     return found
 
 
-def _weight(robot: Robot, frames: dict[str, Frame]) -> tuple[float, Vector]:
+def _weight(robot: Robot, frames: dict[str, Transform]) -> tuple[float, Vector]:
     """Mass [kg], and centre of mass in the root link [m]."""
     parts = [
-        (link.inertial.mass, frames[name].point(link.inertial.origin.xyz))
+        (link.inertial.mass, frames[name].apply(link.inertial.origin.xyz))
         for name, link in robot.links.items()
         if link.inertial is not None
     ]
@@ -123,10 +122,10 @@ def _bounds(shapes: list[PlacedShape]) -> tuple[Vector, Vector]:
     return (a, b, c), (x, y, z)
 
 
-def _shapes(robot: Robot, frames: dict[str, Frame]) -> Iterator[PlacedShape]:
+def _shapes(robot: Robot, frames: dict[str, Transform]) -> Iterator[PlacedShape]:
     """All shapes that have a formula, seen and touched, in the root link."""
     for name, link in robot.links.items():
         for part in (*link.visuals, *link.collisions):
             if isinstance(part.geometry, Box | Cylinder | Sphere):
-                inner = PlacedShape(part.geometry, Frame.of(part.origin))
+                inner = PlacedShape(part.geometry, part.origin.transform)
                 yield inner.seen_from(frames[name])

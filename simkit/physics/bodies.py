@@ -7,11 +7,11 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from simkit.geometry import Matrix
 from simkit.physics.errors import ModelError
 from simkit.physics.lumps import Lump, Member
-from simkit.urdf.frame import Frame
 from simkit.urdf.inertia import Body, merged, placed
-from simkit.urdf.matrix import Matrix, eigenvalues
+from simkit.urdf.matrix import eigenvalues
 from simkit.urdf.model import Inertial, Pose
 
 NO_MASS = 1e-6
@@ -53,7 +53,7 @@ def _own_body(member: Member) -> Body | None:
         raise ModelError(f"link {name} has a mass of {inertial.mass:g} kg: a mass is positive")
     if inertial.mass < NO_MASS:
         return None
-    return placed(Body(inertial.mass, (0.0, 0.0, 0.0), tensor), Frame.of(inertial.origin))
+    return placed(Body(inertial.mass, (0.0, 0.0, 0.0), tensor), inertial.origin.transform)
 
 
 def _tensor(inertial: Inertial) -> Matrix:

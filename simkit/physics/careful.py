@@ -36,10 +36,9 @@ from typing import Any
 
 import numpy as np
 
-from simkit.geometry import Vector
+from simkit.geometry import Transform, Vector
 from simkit.physics.plan import JointKind, JointPlan, ModelPlan
 from simkit.physics.skeleton import Built
-from simkit.urdf.frame import Frame
 from simkit.urdf.inertia import Body, placed
 
 BURST = 8
@@ -224,7 +223,7 @@ def _is_balanced_wheel(joint: JointPlan, plan: ModelPlan) -> bool:
     if joint.kind is not JointKind.REVOLUTE or not is_last or joint.stiffness > 0.0:
         return False
     return is_balanced(
-        placed(plan.bodies[joint.child].body, joint.anchor.from_here(Frame())), joint.axis
+        placed(plan.bodies[joint.child].body, joint.anchor.inverse() @ Transform()), joint.axis
     )
 
 

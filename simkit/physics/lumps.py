@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
+from simkit.geometry import Transform
 from simkit.physics.gazebo_tags import GazeboTags
 from simkit.urdf.fixed_joints import WORLD, merged_links
-from simkit.urdf.frame import Frame
 from simkit.urdf.model import Joint, JointType, Link, Robot
 
 
@@ -17,7 +17,7 @@ class Member:
 
     link: Link
     """The link."""
-    frame: Frame
+    frame: Transform
     """Where it is in the frame of the lump."""
 
 
@@ -27,7 +27,7 @@ class Branch:
 
     joint: Joint
     """The joint; its child leads the other lump."""
-    frame: Frame
+    frame: Transform
     """Where its parent link is in the frame of the lump."""
 
 
@@ -66,14 +66,14 @@ def _lump(
 ) -> Lump:
     members: list[Member] = []
     branches: list[Branch] = []
-    waiting = [Member(link=robot.links[leader], frame=Frame())]
+    waiting = [Member(link=robot.links[leader], frame=Transform())]
     while waiting:
         member = waiting.pop()
         members.append(member)
         inner: list[Member] = []
         for joint in below.get(member.link.name, ()):
             if joint.child in merged:
-                frame = member.frame.then(Frame.of(joint.origin))
+                frame = member.frame @ joint.origin.transform
                 inner.append(Member(link=robot.links[joint.child], frame=frame))
             else:
                 branches.append(Branch(joint=joint, frame=member.frame))

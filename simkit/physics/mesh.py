@@ -14,9 +14,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from simkit.geometry import Vector
-from simkit.urdf.frame import Frame
-from simkit.urdf.matrix import Matrix
+from simkit.geometry import Matrix, Transform, Vector
 from simkit.urdf.mesh_file import MeshError, load_mesh
 from simkit.urdf.model import Box, Cylinder, Sphere
 
@@ -64,21 +62,27 @@ def read_mesh(path: Path, scale: Vector) -> TriangleMesh:
     return TriangleMesh.of(corners)
 
 
-def stand_in(mesh: TriangleMesh) -> tuple[Box | Cylinder | Sphere, Frame]:
+def stand_in(mesh: TriangleMesh) -> tuple[Box | Cylinder | Sphere, Transform]:
     """The smallest of box, cylinder (along x, y, z) and sphere around a mesh, and where it is."""
     points = mesh.corners.reshape(-1, 3)
     low, high = points.min(axis=0), points.max(axis=0)
     middle, size = (low + high) / 2.0, np.maximum(high - low, 1e-4)
     origin = (float(middle[0]), float(middle[1]), float(middle[2]))
     away = points - middle
-    found: list[tuple[float, Box | Cylinder | Sphere, Frame]] = [
-        (float(np.prod(size)), Box((float(size[0]), float(size[1]), float(size[2]))), Frame(_Z_UP, origin))
+    found: list[tuple[float, Box | Cylinder | Sphere, Transform]] = [
+        (float(np.prod(size)), Box((float(size[0]), float(size[1]), float(size[2]))), Transform(origin))
     ]  # fmt: skip
     for axis, turn in enumerate((_X_UP, _Y_UP, _Z_UP)):
         radius = max(float(np.sqrt((np.delete(away, axis, 1) ** 2).sum(axis=1)).max()), 1e-4)
         length = float(size[axis])
-        found.append((math.pi * radius**2 * length, Cylinder(radius, length), Frame(turn, origin)))
+        found.append(
+            (
+                math.pi * radius**2 * length,
+                Cylinder(radius, length),
+                Transform.from_matrix(origin, turn),
+            )
+        )
     radius = max(float(np.sqrt((away**2).sum(axis=1)).max()), 1e-4)
-    found.append((4.0 / 3.0 * math.pi * radius**3, Sphere(radius), Frame(_Z_UP, origin)))
+    found.append((4.0 / 3.0 * math.pi * radius**3, Sphere(radius), Transform(origin)))
     _, solid, frame = min(found, key=lambda one: one[0])
     return solid, frame

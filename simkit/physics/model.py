@@ -8,14 +8,13 @@ from typing import Any
 import numpy as np
 
 from simkit.errors import UnknownNameError
-from simkit.geometry import Transform, Vector, quaternion_from_matrix
+from simkit.geometry import Transform, Vector
 from simkit.physics.braking import Brakes
 from simkit.physics.errors import PhysicsError
 from simkit.physics.joint import FARTHEST, STRONGEST, ModelJoint, Ties
 from simkit.physics.plan import JointKind, ModelPlan
-from simkit.physics.poses import frame_of, isometry, placement, vector
+from simkit.physics.poses import checked_pose, isometry, transform_of, vector
 from simkit.physics.skeleton import Built, place_joint
-from simkit.urdf.frame import Frame
 
 REST: Vector = (0.0, 0.0, 0.0)
 """No velocity."""
@@ -67,7 +66,7 @@ class Model:
         self._pose = pose
         self._to_model = Transform(REST, (0.0, 0.0, 0.0, 1.0))
         if roots:
-            self._to_model = _placement(roots[0].frame).inverse()
+            self._to_model = roots[0].frame.inverse()
         self._pushed = pushed
         self.brakes = Brakes(plan, built, pushed)
         """What takes velocity from its bodies."""
@@ -120,7 +119,7 @@ class Model:
         if not self._roots:
             return self._pose
         body = self.built.bodies[self._roots[0][0].child]
-        return placement(body.getWorldTransform()) @ self._to_model
+        return transform_of(body.getWorldTransform()) @ self._to_model
 
     @property
     def base(self) -> Transform:
@@ -130,7 +129,7 @@ class Model:
         plan, joint = self._roots[0]
         is_free = plan.kind is JointKind.FREE
         at = joint.getRelativeTransform() if is_free else joint.getTransformFromParentBodyNode()
-        return placement(at) @ _placement(plan.frame.then(plan.anchor)).inverse()
+        return transform_of(at) @ (plan.frame @ plan.anchor).inverse()
 
     @property
     def twist(self) -> tuple[Vector, Vector]:
@@ -157,7 +156,7 @@ class Model:
             UnknownNameError: It has no such link, or one without mass, which is not simulated.
         """
         body, mount = self._mount(link)
-        return placement(body.getWorldTransform()) @ mount
+        return transform_of(body.getWorldTransform()) @ mount
 
     def link_twist(self, link: str) -> tuple[Vector, Vector]:
         """How a link moves in the world: velocity of its origin [m/s], angular velocity [rad/s].
@@ -178,15 +177,15 @@ class Model:
         Raises:
             PhysicsError: A number is none.
         """
-        moved = frame_of(pose)
-        back = frame_of(self.pose.inverse())
+        moved = checked_pose(pose)
+        motion = moved @ self.pose.inverse()
         self._pose = pose
-        self._move(moved.then(back))
+        self._move(motion)
         self._touched()
 
     def shift(self, by: Any) -> None:
         """Move it, as it stands, by a vector of the world [m]."""
-        self._move(Frame(origin=vector(np.asarray(by))))
+        self._move(Transform(vector(np.asarray(by))))
 
     def set_twist(self, linear: Vector, angular: Vector) -> None:
         """Give it a velocity at once; its joints keep theirs. What is fixed to the world stays.
@@ -252,7 +251,7 @@ class Model:
     def reset(self) -> None:
         """Back to where it was added: pose, joints at rest, nothing commanded."""
         for plan, joint in self._roots:
-            place_joint(joint, plan, frame_of(self.start))
+            place_joint(joint, plan, self.start)
             if plan.kind is JointKind.FREE:
                 joint.setVelocities(np.zeros(6))
         for one in self.joints.values():
@@ -270,7 +269,7 @@ class Model:
             raise UnknownNameError(f"link in {self.name!r}", link, self._mounts)
         return found
 
-    def _move(self, motion: Frame) -> None:
+    def _move(self, motion: Transform) -> None:
         """Move all of it by T_world_world."""
         self.placings += 1
         turn = isometry(motion)
@@ -284,11 +283,4 @@ class Model:
 
 def _mounts(plan: ModelPlan, built: Built) -> dict[str, tuple[Any, Transform]]:
     """The body that each link is on, and where it is there."""
-    return {
-        link: (built.bodies[mount.body], _placement(mount.frame))
-        for link, mount in plan.mounts.items()
-    }
-
-
-def _placement(frame: Frame) -> Transform:
-    return Transform(frame.origin, quaternion_from_matrix(frame.rotation))
+    return {link: (built.bodies[mount.body], mount.frame) for link, mount in plan.mounts.items()}

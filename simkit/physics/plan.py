@@ -11,13 +11,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
-from simkit.geometry import Vector
+from simkit.geometry import Transform, Vector
 from simkit.physics.mesh import TriangleMesh
-from simkit.urdf.frame import Frame
 from simkit.urdf.inertia import Body
 from simkit.urdf.model import Box, Cylinder, Sphere
 
-HERE = Frame()
+HERE = Transform()
 """The frame itself."""
 
 
@@ -43,7 +42,7 @@ class ShapePlan:
     """The link of the file that it belongs to."""
     solid: Solid
     """Its shape; of a mesh the solid that stands in for it."""
-    frame: Frame = HERE
+    frame: Transform = HERE
     """Where the solid is in the frame of its body."""
     friction: float = 1.0
     """Coefficient of friction; of two that touch the smaller one counts."""
@@ -51,7 +50,7 @@ class ShapePlan:
     """Intensity that a laser sees."""
     mesh: TriangleMesh | None = None
     """The triangles that a laser sees instead of the solid."""
-    mesh_frame: Frame = HERE
+    mesh_frame: Transform = HERE
     """Where the mesh is in the frame of its body."""
 
 
@@ -98,9 +97,9 @@ class JointPlan:
     """Body that it hangs on; None for the world."""
     child: str
     """Body that hangs on it."""
-    frame: Frame = HERE
-    """Frame of the child at position 0 in that of the parent; in that of the model if the parent is the world."""
-    anchor: Frame = HERE
+    frame: Transform = HERE
+    """Transform of the child at position 0 in that of the parent; in that of the model if the parent is the world."""
+    anchor: Transform = HERE
     """Where the joint is in the frame of the child; a URDF has it in its origin."""
     axis: Vector = (1.0, 0.0, 0.0)
     """Unit vector in the frame of the joint."""
@@ -133,7 +132,7 @@ class Mount:
 
     body: str
     """The body."""
-    frame: Frame
+    frame: Transform
     """T_body_link."""
 
 

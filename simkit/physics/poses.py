@@ -10,41 +10,32 @@ import numpy as np
 from simkit.geometry import Transform, Vector
 from simkit.physics.engine import dart
 from simkit.physics.errors import PhysicsError
-from simkit.urdf.frame import Frame
-from simkit.urdf.matrix import Matrix
 
 FARTHEST = 1e6
 """Nothing is put farther from the origin of the world [m]."""
 
 
-def isometry(frame: Frame) -> Any:
+def isometry(transform: Transform) -> Any:
     """T_ab as the engine takes it."""
-    return dart().math.Isometry3(np.array(frame.rotation), np.array(frame.origin))
+    return dart().math.Isometry3(np.array(transform.matrix), np.array(transform.translation))
 
 
-def placement(transform: Any) -> Transform:
+def transform_of(isometry: Any) -> Transform:
     """T_ab of an `Isometry3` of the engine."""
-    (a, b, c, x), (d, e, f, y), (g, h, i, z), _ = transform.matrix().tolist()
+    (a, b, c, x), (d, e, f, y), (g, h, i, z), _ = isometry.matrix().tolist()
     return Transform.from_matrix((x, y, z), ((a, b, c), (d, e, f), (g, h, i)))
 
 
-def frame_of(pose: Transform) -> Frame:
-    """A pose with its rotation as a matrix.
+def checked_pose(pose: Transform) -> Transform:
+    """A pose with its quaternion at unit length.
 
     Raises:
-        PhysicsError: A number is none, the quaternion is zero, or it is beyond all places.
+        PhysicsError: A number is NaN, the quaternion is zero, or it is farther than `FARTHEST`.
     """
-    x, y, z, w = pose.rotation
-    length = math.sqrt(x * x + y * y + z * z + w * w)
+    length = math.hypot(*pose.rotation)
     if not 1e-9 < length < math.inf or not all(abs(x) <= FARTHEST for x in pose.translation):
         raise PhysicsError(f"this is no pose: {pose.translation} with quaternion {pose.rotation}")
-    x, y, z, w = x / length, y / length, z / length, w / length
-    rotation: Matrix = (
-        (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
-        (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
-        (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
-    )
-    return Frame(rotation, pose.translation)
+    return pose.normalised()
 
 
 def vector(array: Any) -> Vector:

@@ -10,10 +10,8 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from simkit.geometry import Vector
+from simkit.geometry import Transform, Vector
 from simkit.physics.plan import JointKind, JointPlan, ModelPlan, Plane, ShapePlan, Solid
-from simkit.urdf.frame import Frame
-from simkit.urdf.matrix import apply
 from simkit.urdf.model import Box, Cylinder, Sphere
 
 NOWHERE: Vector = (0.0, 0.0, 0.0)
@@ -61,7 +59,7 @@ class Reach:
     """Whether it never moves."""
     plane: tuple[Vector, Vector] | None = None
     """Of a plane that never moves a point and its normal, in the world."""
-    box: tuple[Frame, Vector] | None = None
+    box: tuple[Transform, Vector] | None = None
     """Of a box that never moves its frame in the world, and half its sizes [m]."""
 
     def may_touch(self, other: Reach, margin: float) -> bool:
@@ -79,12 +77,14 @@ class Reach:
         return not gap > margin
 
 
-def _gap_to_box(region: Region, box: tuple[Frame, Vector] | None) -> float:
+def _gap_to_box(region: Region, box: tuple[Transform, Vector] | None) -> float:
     """What is in a region is at least so far from a box [m]."""
     if box is None:
         return -math.inf
     frame, half = box
-    outside = [max(abs(p) - h, 0.0) for p, h in zip(frame.back(region.centre), half, strict=True)]
+    outside = [
+        max(abs(p) - h, 0.0) for p, h in zip(frame.apply_back(region.centre), half, strict=True)
+    ]
     return math.hypot(*outside) - region.ring - region.radius
 
 
@@ -92,22 +92,22 @@ def _gap_to_box(region: Region, box: tuple[Frame, Vector] | None) -> float:
 class _Still:
     """A body that stays where it is."""
 
-    frame: Frame
+    frame: Transform
 
     def of(self, point: Vector) -> Region:
-        return Region(centre=self.frame.point(point))
+        return Region(centre=self.frame.apply(point))
 
 
 @dataclass(frozen=True, slots=True)
 class _Swept:
     """A body that turns about an axis that stays where it is."""
 
-    frame: Frame
+    frame: Transform
     origin: Vector
     axis: Vector
 
     def of(self, point: Vector) -> Region:
-        x, y, z = self.frame.point(point)
+        x, y, z = self.frame.apply(point)
         away = (x - self.origin[0], y - self.origin[1], z - self.origin[2])
         along = sum(a * b for a, b in zip(away, self.axis, strict=True))
         foot = [o + along * a for o, a in zip(self.origin, self.axis, strict=True)]
@@ -129,7 +129,7 @@ class _Hanging:
 _Freedom = _Still | _Swept | _Hanging
 
 
-def reaches(plan: ModelPlan, pose: Frame) -> Iterator[tuple[str, int, Reach]]:
+def reaches(plan: ModelPlan, pose: Transform) -> Iterator[tuple[str, int, Reach]]:
     """Where the shapes of a model can come.
 
     Args:
@@ -147,7 +147,7 @@ def reaches(plan: ModelPlan, pose: Frame) -> Iterator[tuple[str, int, Reach]]:
 
 
 def _freedom(
-    joint: JointPlan, plan: ModelPlan, pose: Frame, freedoms: dict[str, _Freedom]
+    joint: JointPlan, plan: ModelPlan, pose: Transform, freedoms: dict[str, _Freedom]
 ) -> _Freedom:
     parent = _Still(pose) if joint.parent is None else freedoms[joint.parent]
     kind = joint.kind
@@ -155,29 +155,27 @@ def _freedom(
         kind = JointKind.FIXED if plan.is_static else kind
     if kind is JointKind.FIXED:
         return _carried(parent, joint.frame)
-    at = joint.frame.then(joint.anchor)
+    at = joint.frame @ joint.anchor
     if kind is JointKind.REVOLUTE and isinstance(parent, _Still):
-        world = parent.frame.then(at)
-        return _Swept(
-            parent.frame.then(joint.frame), world.origin, apply(world.rotation, joint.axis)
-        )
+        world = parent.frame @ at
+        return _Swept(parent.frame @ joint.frame, world.translation, world.rotate(joint.axis))
     if kind is JointKind.REVOLUTE:
-        return _Hanging(parent.of(at.origin), joint.anchor.origin)
+        return _Hanging(parent.of(at.translation), joint.anchor.translation)
     if kind is JointKind.PRISMATIC:
         travel = max(abs(joint.lower), abs(joint.upper))
-        return _Hanging(parent.of(at.origin).grown(travel), joint.anchor.origin)
+        return _Hanging(parent.of(at.translation).grown(travel), joint.anchor.translation)
     return _Hanging(ANYWHERE, NOWHERE)
 
 
-def _carried(parent: _Freedom, frame: Frame) -> _Freedom:
+def _carried(parent: _Freedom, frame: Transform) -> _Freedom:
     """The freedom of what is fixed to a body, at a frame of it."""
     match parent:
         case _Still():
-            return _Still(parent.frame.then(frame))
+            return _Still(parent.frame @ frame)
         case _Swept():
-            return replace(parent, frame=parent.frame.then(frame))
+            return replace(parent, frame=parent.frame @ frame)
         case _Hanging():
-            return replace(parent, anchor=frame.back(parent.anchor))
+            return replace(parent, anchor=frame.apply_back(parent.anchor))
 
 
 def _reach(shape: ShapePlan, freedom: _Freedom) -> Reach:
@@ -185,14 +183,14 @@ def _reach(shape: ShapePlan, freedom: _Freedom) -> Reach:
     if isinstance(shape.solid, Plane):
         if not isinstance(freedom, _Still):
             return Reach(region=ANYWHERE, is_still=False)
-        world = freedom.frame.then(shape.frame)
-        plane = (world.origin, apply(world.rotation, shape.solid.normal))
+        world = freedom.frame @ shape.frame
+        plane = (world.translation, world.rotate(shape.solid.normal))
         return Reach(region=ANYWHERE, is_still=True, plane=plane)
-    region = freedom.of(shape.frame.origin).grown(_radius(shape.solid))
+    region = freedom.of(shape.frame.translation).grown(_radius(shape.solid))
     box = None
     if isinstance(shape.solid, Box) and isinstance(freedom, _Still):
         x, y, z = shape.solid.size
-        box = (freedom.frame.then(shape.frame), (x / 2.0, y / 2.0, z / 2.0))
+        box = (freedom.frame @ shape.frame, (x / 2.0, y / 2.0, z / 2.0))
     return Reach(region=region, is_still=is_still, box=box)
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 
+from simkit.geometry import Transform
 from simkit.physics.bodies import body_of, check_numbers, check_pose, sound
 from simkit.physics.errors import ModelError
 from simkit.physics.gazebo_tags import GazeboTags, LinkTags, read_gazebo_tags
@@ -16,7 +17,6 @@ from simkit.physics.lumps import Branch, Lump, find_lumps, is_anchor
 from simkit.physics.plan import BodyPlan, JointKind, JointPlan, ModelPlan, Mount
 from simkit.physics.shapes import shapes_of
 from simkit.physics.solids import unit
-from simkit.urdf.frame import Frame
 from simkit.urdf.model import Joint, JointType, Robot
 
 KINDS = {
@@ -58,14 +58,14 @@ class _Planner:
         self.notes += self.tags.notes
         self._note_mimics()
         lumps = find_lumps(self.robot, self.tags)
-        rest = {self.robot.root: Frame()}  # T_model_lump, with all joints at 0
+        rest = {self.robot.root: Transform()}  # T_model_lump, with all joints at 0
         branches: dict[str, tuple[Lump, Branch]] = {}
         for name, lump in lumps.items():
             if name in rest and self._take(lump, rest[name], branches.get(name), lumps):
                 for branch in lump.branches:
                     branches[branch.joint.child] = (lump, branch)
-                    inner = branch.frame.then(Frame.of(branch.joint.origin))
-                    rest[branch.joint.child] = rest[name].then(inner)
+                    inner = branch.frame @ branch.joint.origin.transform
+                    rest[branch.joint.child] = rest[name] @ inner
         return ModelPlan(
             name=self.robot.name,
             bodies=self.bodies,
@@ -76,7 +76,7 @@ class _Planner:
         )
 
     def _take(
-        self, lump: Lump, rest: Frame, above: tuple[Lump, Branch] | None, lumps: dict[str, Lump]
+        self, lump: Lump, rest: Transform, above: tuple[Lump, Branch] | None, lumps: dict[str, Lump]
     ) -> bool:
         """Take in a lump and the joint above it; False if it is not simulated."""
         if is_anchor(self.robot, lump.name):
@@ -107,7 +107,7 @@ class _Planner:
         self.joints[joint.name] = joint
         return True
 
-    def _joint(self, parent: Lump, branch: Branch, rest: Frame) -> JointPlan:
+    def _joint(self, parent: Lump, branch: Branch, rest: Transform) -> JointPlan:
         joint = branch.joint
         check_pose(joint.origin, f"the origin of joint {joint.name}")
         kind = KINDS[joint.type]
@@ -121,7 +121,7 @@ class _Planner:
             kind=kind,
             parent=None if is_anchor(self.robot, parent.name) else parent.name,
             child=joint.child,
-            frame=branch.frame.then(Frame.of(joint.origin)),
+            frame=branch.frame @ joint.origin.transform,
         )
         return base if kind is JointKind.FIXED else self._moving(base, joint)
 
@@ -178,7 +178,7 @@ class _Planner:
                 )
 
 
-def _free(body: str, rest: Frame) -> JointPlan:
+def _free(body: str, rest: Transform) -> JointPlan:
     return JointPlan(
         name=f"{body} (free)", kind=JointKind.FREE, parent=None, child=body, frame=rest
     )

@@ -9,7 +9,6 @@ from simkit.physics.gazebo_tags import GazeboTags, LinkTags
 from simkit.physics.lumps import Lump, Member
 from simkit.physics.plan import ShapePlan
 from simkit.physics.solids import PLACEHOLDER, with_solid
-from simkit.urdf.frame import Frame
 from simkit.urdf.model import Collision
 
 FRICTION = 1.0
@@ -59,7 +58,7 @@ def _add(shelf: _Shelf, member: Member, collision: Collision) -> None:
         name=_name(shelf, member, collision),
         link=link,
         solid=PLACEHOLDER,
-        frame=member.frame.then(Frame.of(collision.origin)),
+        frame=member.frame @ collision.origin.transform,
         friction=_friction(tags),
         retro=tags.retro or 0.0,
     )

@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from simkit.geometry import Transform
 from simkit.physics.engine import dart
 from simkit.physics.plan import BodyPlan, JointKind, JointPlan, ModelPlan, Plane, ShapePlan, Solid
 from simkit.physics.poses import isometry
 from simkit.physics.treads import contact_solid
-from simkit.urdf.frame import Frame
 from simkit.urdf.model import Box, Cylinder, Sphere
 
 _CREATORS = {
@@ -38,7 +38,7 @@ class Built:
     """The shape nodes, by their names in the engine, with what they are."""
 
 
-def build(plan: ModelPlan, *, name: str, pose: Frame) -> Built:
+def build(plan: ModelPlan, *, name: str, pose: Transform) -> Built:
     """Build a model.
 
     Args:
@@ -70,9 +70,9 @@ def build(plan: ModelPlan, *, name: str, pose: Frame) -> Built:
     return Built(skeleton=skeleton, bodies=bodies, joints=joints, shapes=shapes)
 
 
-def place_joint(joint: Any, plan: JointPlan, pose: Frame) -> None:
+def place_joint(joint: Any, plan: JointPlan, pose: Transform) -> None:
     """Put a joint where it belongs, for a model whose frame stands at `pose` in the world."""
-    frame = (pose.then(plan.frame) if plan.parent is None else plan.frame).then(plan.anchor)
+    frame = (pose @ plan.frame if plan.parent is None else plan.frame) @ plan.anchor
     if plan.kind is JointKind.FREE:
         joint.setRelativeTransform(isometry(frame))
     else:

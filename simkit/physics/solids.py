@@ -73,7 +73,7 @@ def _of_mesh(shape: ShapePlan, geometry: Mesh, notes: list[str]) -> ShapePlan:
     return replace(
         shape,
         solid=solid,
-        frame=shape.frame.then(inner),
+        frame=shape.frame @ inner,
         mesh=mesh if len(mesh.corners) <= MAX_TRIANGLES else None,
         mesh_frame=shape.frame,
     )

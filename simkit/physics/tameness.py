@@ -32,8 +32,8 @@ def is_tame(plan: ModelPlan) -> bool:
         return False
     return all(map(_is_body_tame, plan.bodies.values())) and all(
         max(one.stiffness, one.damping) < STIFFEST
-        and _is_near(one.frame.origin)
-        and _is_near(one.anchor.origin)
+        and _is_near(one.frame.translation)
+        and _is_near(one.anchor.translation)
         for one in plan.joints.values()
     )
 

@@ -10,7 +10,6 @@ from typing import Any
 from simkit.physics.contact import Contact, Owner, read_contacts, shape_names
 from simkit.physics.engine import dart
 from simkit.physics.model import Model
-from simkit.physics.poses import frame_of
 from simkit.physics.reach import Reach, reaches
 
 MARGIN = 0.01
@@ -131,5 +130,5 @@ class _Shape:
 
 def _shapes_of(model: Model) -> Iterator[_Shape]:
     touches_itself = any(body.self_collide for body in model.plan.bodies.values())
-    for body, number, reach in reaches(model.plan, frame_of(model.base)):
+    for body, number, reach in reaches(model.plan, model.base):
         yield _Shape(f"{model.name}::{body}::{number}", model.name, touches_itself, reach)

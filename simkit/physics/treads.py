@@ -12,7 +12,6 @@ from __future__ import annotations
 import math
 
 from simkit.physics.plan import JointKind, JointPlan, ShapePlan, Solid
-from simkit.urdf.matrix import apply
 from simkit.urdf.model import Cylinder
 from simkit.urdf.wheel import is_wheel
 
@@ -38,5 +37,5 @@ def _is_wheel(solid: Cylinder, shape: ShapePlan, joint: JointPlan) -> bool:
     is_endless = not math.isfinite(joint.lower) and not math.isfinite(joint.upper)
     if joint.kind is not JointKind.REVOLUTE or not is_endless:
         return False
-    axis = apply(joint.anchor.rotation, joint.axis)
-    return is_wheel(solid, shape.frame, axis=axis, origin=joint.anchor.origin)
+    axis = joint.anchor.rotate(joint.axis)
+    return is_wheel(solid, shape.frame, axis=axis, origin=joint.anchor.translation)

@@ -17,7 +17,7 @@ from simkit.physics.errors import ModelError, PhysicsError
 from simkit.physics.ground import ground_plan
 from simkit.physics.model import Model
 from simkit.physics.plan import ModelPlan
-from simkit.physics.poses import frame_of
+from simkit.physics.poses import checked_pose
 from simkit.physics.rays import Hits, cast
 from simkit.physics.sight import Sight
 from simkit.physics.skeleton import build, shy_pairs
@@ -128,7 +128,8 @@ class World:
             raise ModelError(
                 f"a model named {name} is already there: delete it, or choose another name"
             )
-        built = build(plan, name=name, pose=frame_of(pose))
+        pose = checked_pose(pose)
+        built = build(plan, name=name, pose=pose)
         self._engine.addSkeleton(built.skeleton)
         stepper = self._stepper
         model = Model(

@@ -8,10 +8,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from simkit.geometry import Vector
+from simkit.geometry import Matrix, Transform, Vector
 from simkit.record import Record
-from simkit.urdf.frame import Frame
-from simkit.urdf.matrix import Matrix, added, diagonal, eigenvalues, product, transpose
+from simkit.urdf.matrix import added, diagonal, eigenvalues, product, transpose
 from simkit.urdf.model import Box, Cylinder, Sphere
 from simkit.urdf.placed_shape import PlacedShape, Primitive, volume
 
@@ -73,9 +72,9 @@ def point_tensor(mass: float, offset: Vector) -> Matrix:
     )
 
 
-def placed(body: Body, frame: Frame) -> Body:
+def placed(body: Body, frame: Transform) -> Body:
     """A body known in a frame b, seen from a, for `frame` = T_ab."""
-    return Body(body.mass, frame.point(body.centre), turned(body.tensor, frame.rotation))
+    return Body(body.mass, frame.apply(body.centre), turned(body.tensor, frame.matrix))
 
 
 def merged(bodies: Sequence[Body]) -> Body:

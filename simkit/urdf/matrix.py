@@ -3,27 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import TypeAlias
 
-from simkit.geometry import Vector
-
-Matrix: TypeAlias = tuple[Vector, Vector, Vector]
-
-IDENTITY: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-"""The rotation that does nothing."""
+from simkit.geometry import IDENTITY_MATRIX, Matrix, Vector
 
 _SWEEPS = 30
 "Jacobi needs about five; numbers that are not finite never get there."
-
-
-def rotation_matrix(rpy: Vector) -> Matrix:
-    """R_ab of a frame b that stands in a frame a at roll, pitch, yaw [rad] about fixed axes: Rz Ry Rx."""
-    (sin_r, sin_p, sin_y), (cos_r, cos_p, cos_y) = map(math.sin, rpy), map(math.cos, rpy)
-    return (
-        (cos_y * cos_p, cos_y * sin_p * sin_r - sin_y * cos_r, cos_y * sin_p * cos_r + sin_y * sin_r),
-        (sin_y * cos_p, sin_y * sin_p * sin_r + cos_y * cos_r, sin_y * sin_p * cos_r - cos_y * sin_r),
-        (-sin_p, cos_p * sin_r, cos_p * cos_r),
-    )  # fmt: skip
 
 
 def diagonal(entries: Vector) -> Matrix:
@@ -81,7 +65,7 @@ def _without(matrix: Matrix, row: int, column: int) -> Matrix:
         return matrix
     angle = 0.5 * math.atan2(2.0 * entry, matrix[column][column] - matrix[row][row])
     cos, sin = math.cos(angle), math.sin(angle)
-    turn = [list(line) for line in IDENTITY]
+    turn = [list(line) for line in IDENTITY_MATRIX]
     turn[row][row] = turn[column][column] = cos
     turn[row][column], turn[column][row] = sin, -sin
     rotation = tuple(tuple(line) for line in turn)

@@ -5,9 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple, TypeAlias
 
-from simkit.geometry import Vector
-from simkit.urdf.frame import Frame
-from simkit.urdf.matrix import apply, transpose
+from simkit.geometry import Transform, Vector
 from simkit.urdf.model import Box, Cylinder, Sphere
 
 Primitive: TypeAlias = Box | Cylinder | Sphere
@@ -25,17 +23,17 @@ class PlacedShape(NamedTuple):
 
     shape: Primitive
     """Its shape."""
-    frame: Frame
+    frame: Transform
     """Where it stands."""
 
-    def seen_from(self, outer: Frame) -> PlacedShape:
+    def seen_from(self, outer: Transform) -> PlacedShape:
         """The same shape in a, for `outer` = T_ab of the frame b that it is known in."""
-        return PlacedShape(self.shape, outer.then(self.frame))
+        return PlacedShape(self.shape, outer @ self.frame)
 
     def support(self, direction: Vector) -> Vector:
         """The point of it that lies farthest in a direction [m]."""
-        local = apply(transpose(self.frame.rotation), direction)
-        return self.frame.point(_support(self.shape, local))
+        local = self.frame.rotate_back(direction)
+        return self.frame.apply(_support(self.shape, local))
 
     def lowest(self) -> float:
         """The z of its lowest point [m]."""
@@ -43,7 +41,7 @@ class PlacedShape(NamedTuple):
 
     def farthest(self, point: Vector) -> float:
         """Distance from a point to the point of the shape that is farthest from it [m]."""
-        x, y, z = (abs(value) for value in self.frame.back(point))
+        x, y, z = (abs(value) for value in self.frame.apply_back(point))
         match self.shape:
             case Box():
                 dx, dy, dz = (side / 2 for side in self.shape.size)
@@ -55,7 +53,7 @@ class PlacedShape(NamedTuple):
 
     def depth(self, point: Vector) -> float:
         """How deep a point lies below the surface [m]; negative: how far it is away."""
-        x, y, z = (abs(value) for value in self.frame.back(point))
+        x, y, z = (abs(value) for value in self.frame.apply_back(point))
         match self.shape:
             case Box():
                 dx, dy, dz = (side / 2 for side in self.shape.size)
@@ -81,7 +79,7 @@ def overlap(one: PlacedShape, other: PlacedShape, least: float) -> bool:
     if inner is None or outer is None:
         return False
     one, other = PlacedShape(inner, one.frame), PlacedShape(outer, other.frame)
-    x = _minus(one.frame.origin, other.frame.origin)
+    x = _minus(one.frame.translation, other.frame.translation)
     weights = {x: 1.0}
     for _ in range(_ROUNDS):
         distance = math.hypot(*x)

@@ -6,9 +6,7 @@ import math
 from collections.abc import Iterable
 from typing import TypeVar
 
-from simkit.geometry import Vector
-from simkit.urdf.frame import Frame
-from simkit.urdf.matrix import apply
+from simkit.geometry import Transform, Vector
 from simkit.urdf.model import Cylinder, Sphere
 
 ASKEW = math.radians(2.0)
@@ -21,7 +19,7 @@ LONGEST = 2.0
 Shape = TypeVar("Shape")
 
 
-def is_wheel(shape: Cylinder, frame: Frame, *, axis: Vector, origin: Vector) -> bool:
+def is_wheel(shape: Cylinder, frame: Transform, *, axis: Vector, origin: Vector) -> bool:
     """Whether a cylinder that turns about an axis turns about its own, and is as short as a wheel.
 
     Args:
@@ -34,18 +32,18 @@ def is_wheel(shape: Cylinder, frame: Frame, *, axis: Vector, origin: Vector) -> 
     if shape.length > LONGEST * shape.radius or not length:
         return False
     x, y, z = (value / length for value in axis)
-    own = apply(frame.rotation, (0.0, 0.0, 1.0))
+    own = frame.rotate((0.0, 0.0, 1.0))
     if abs(x * own[0] + y * own[1] + z * own[2]) < math.cos(ASKEW):
         return False
-    arm = [c - o for c, o in zip(frame.origin, origin, strict=True)]
+    arm = [c - o for c, o in zip(frame.translation, origin, strict=True)]
     forward = x * arm[0] + y * arm[1] + z * arm[2]
     off = math.dist(arm, (forward * x, forward * y, forward * z))
     return off <= OFF_CENTRE * shape.radius
 
 
 def round_part(
-    shapes: Iterable[tuple[Shape, Frame]],
-) -> tuple[Cylinder | Sphere, Frame] | None:
+    shapes: Iterable[tuple[Shape, Transform]],
+) -> tuple[Cylinder | Sphere, Transform] | None:
     """The first round shape among those of a wheel, with where it stands; None if there is none."""
     for shape, frame in shapes:
         if isinstance(shape, Cylinder | Sphere):

@@ -6,11 +6,10 @@ import math
 
 import pytest
 
+from simkit.geometry import matrix_from_rpy
 from simkit.urdf import Box, Cylinder, load_robot
-from simkit.urdf.frame import Frame
 from simkit.urdf.inertia import body_of_shapes, turned
 from simkit.urdf.kinematics import forward_kinematics
-from simkit.urdf.matrix import rotation_matrix
 from simkit.urdf.placed_shape import PlacedShape
 
 ROUNDED = 0.02
@@ -47,7 +46,7 @@ def test_an_inertia_is_that_of_the_shape_filled_evenly(urdf):
         # The ball of m2wr weighs nothing: the book counts it to the body.
         shape = link.collisions[0]
         body = body_of_shapes(
-            [PlacedShape(shape.geometry, Frame.of(shape.origin))], mass=inertial.mass
+            [PlacedShape(shape.geometry, shape.origin.transform)], mass=inertial.mass
         )
         assert inertial.origin.xyz == pytest.approx(body.centre)
         written = (
@@ -55,7 +54,7 @@ def test_an_inertia_is_that_of_the_shape_filled_evenly(urdf):
             (inertial.ixy, inertial.iyy, inertial.iyz),
             (inertial.ixz, inertial.iyz, inertial.izz),
         )
-        tensor = turned(written, rotation_matrix(inertial.origin.rpy))
+        tensor = turned(written, matrix_from_rpy(inertial.origin.rpy))
         for ours, theirs in zip(tensor, body.tensor, strict=True):
             assert ours == pytest.approx(theirs, rel=ROUNDED, abs=1e-6)
 

@@ -6,11 +6,10 @@ import math
 from dataclasses import dataclass
 
 from simkit.gazebo.spawned import Spawned
-from simkit.geometry import Vector, rotate
+from simkit.geometry import Transform, Vector
 from simkit.physics import Model, ModelJoint
 from simkit.plugins.diff_drive import DiffDriveParameters
 from simkit.plugins.skid_steer_drive import SkidSteerDriveParameters
-from simkit.urdf.frame import Frame
 from simkit.urdf.model import Cylinder, Sphere
 from simkit.urdf.wheel import round_part
 
@@ -68,14 +67,11 @@ class Drive:
 
     def _hub(self, joint: ModelJoint) -> Vector:
         """Middle of a wheel in the world [m]: that of its round shape, else its joint."""
-        pose = self.model.link_pose(joint.plan.child)
         rolling = self._round_part(joint)
-        middle = (0.0, 0.0, 0.0) if rolling is None else rolling[1].origin
-        x, y, z = rotate(pose.rotation, middle)
-        ox, oy, oz = pose.translation
-        return (ox + x, oy + y, oz + z)
+        middle = (0.0, 0.0, 0.0) if rolling is None else rolling[1].translation
+        return self.model.link_pose(joint.plan.child).apply(middle)
 
-    def _round_part(self, joint: ModelJoint) -> tuple[Cylinder | Sphere, Frame] | None:
+    def _round_part(self, joint: ModelJoint) -> tuple[Cylinder | Sphere, Transform] | None:
         shapes = self.model.plan.bodies[joint.plan.child].shapes
         return round_part((shape.solid, shape.frame) for shape in shapes)
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from simkit.geometry import Vector
 from simkit.physics import Model, Plane, World
-from simkit.physics.poses import frame_of
 from simkit.urdf.placed_shape import PlacedShape
 
 
@@ -57,7 +56,7 @@ def _placed_shapes(model: Model, body: str | None = None) -> Iterator[tuple[str,
     for one in model.plan.bodies.values():
         if body is not None and one.name != body:
             continue
-        frame = frame_of(model.link_pose(one.name))
+        frame = model.link_pose(one.name)
         for shape in one.shapes:
             if not isinstance(shape.solid, Plane):
-                yield shape.link, PlacedShape(shape.solid, frame.then(shape.frame))
+                yield shape.link, PlacedShape(shape.solid, frame @ shape.frame)

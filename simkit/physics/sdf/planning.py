@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from simkit.geometry import Vector
+from simkit.geometry import Transform, Vector
 from simkit.physics.bodies import NO_MASS, check_numbers, check_pose, sound
 from simkit.physics.errors import ModelError
 from simkit.physics.plan import (
@@ -18,9 +18,7 @@ from simkit.physics.sdf.description import SdfCollision, SdfJoint, SdfLink, SdfM
 from simkit.physics.sdf.models import WORLD
 from simkit.physics.shapes import note_friction
 from simkit.physics.solids import PLACEHOLDER, unit, with_solid
-from simkit.urdf.frame import Frame
 from simkit.urdf.inertia import Body, placed
-from simkit.urdf.matrix import apply, transpose
 from simkit.urdf.model import Inertial
 
 _KINDS = {
@@ -51,7 +49,7 @@ def plan_model(model: SdfModel) -> ModelPlan:
         name=model.name,
         bodies=bodies,
         joints=joints,
-        mounts={name: Mount(body=name, frame=Frame()) for name in bodies},
+        mounts={name: Mount(body=name, frame=Transform()) for name in bodies},
         is_static=model.is_static,
         notes=tuple(dict.fromkeys(notes)),
     )
@@ -112,7 +110,7 @@ def _mass(link: SdfLink) -> Body:
     if one.mass < NO_MASS:
         raise ModelError(f"link {link.name} has a mass of {one.mass:g} kg: a mass is positive")
     tensor = ((one.ixx, one.ixy, one.ixz), (one.ixy, one.iyy, one.iyz), (one.ixz, one.iyz, one.izz))
-    return placed(Body(one.mass, (0.0, 0.0, 0.0), tensor), Frame.of(one.origin))
+    return placed(Body(one.mass, (0.0, 0.0, 0.0), tensor), one.origin.transform)
 
 
 def _shape(link: SdfLink, collision: SdfCollision, notes: list[str]) -> ShapePlan | None:
@@ -123,7 +121,7 @@ def _shape(link: SdfLink, collision: SdfCollision, notes: list[str]) -> ShapePla
         name=collision.name,
         link=link.name,
         solid=PLACEHOLDER,
-        frame=Frame.of(collision.pose),
+        frame=collision.pose.transform,
         friction=collision.friction,
         retro=collision.retro,
     )
@@ -133,22 +131,22 @@ def _shape(link: SdfLink, collision: SdfCollision, notes: list[str]) -> ShapePla
 def _joint(model: SdfModel, link: SdfLink, joint: SdfJoint | None) -> JointPlan:
     """The joint that holds a link: that of the file, else one that fixes or frees it."""
     check_pose(link.pose, f"the pose of link {link.name}")
-    here = Frame.of(link.pose)
+    here = link.pose.transform
     if joint is None:
         kind = JointKind.FIXED if model.is_static else JointKind.FREE
         return JointPlan(
             name=f"{link.name} ({kind.value})", kind=kind, parent=None, child=link.name, frame=here
         )
     check_pose(joint.pose, f"the pose of joint {joint.name}")
-    poses = {one.name: Frame.of(one.pose) for one in model.links}
+    poses = {one.name: one.pose.transform for one in model.links}
     is_anchored = joint.parent == WORLD
     return JointPlan(
         name=joint.name,
         kind=_KINDS[joint.type],
         parent=None if is_anchored else joint.parent,
         child=link.name,
-        frame=here if is_anchored else poses[joint.parent].from_here(here),
-        anchor=Frame.of(joint.pose),
+        frame=here if is_anchored else poses[joint.parent].inverse() @ here,
+        anchor=joint.pose.transform,
         axis=_axis(joint, here),
         lower=min(joint.lower, joint.upper),
         upper=max(joint.lower, joint.upper),
@@ -161,9 +159,9 @@ def _joint(model: SdfModel, link: SdfLink, joint: SdfJoint | None) -> JointPlan:
     )
 
 
-def _axis(joint: SdfJoint, link: Frame) -> Vector:
+def _axis(joint: SdfJoint, link: Transform) -> Vector:
     """The axis at unit length in the frame of the joint."""
     axis = joint.axis
     if joint.axis_in_model:
-        axis = apply(transpose(link.then(Frame.of(joint.pose)).rotation), axis)
+        axis = (link @ joint.pose.transform).rotate_back(axis)
     return unit(axis, f"the axis of joint {joint.name}")

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from simkit.geometry import Vector
+from simkit.geometry import Matrix, Transform, Vector
 from simkit.urdf.fixed_joints import KEEP_TAGS, TRUE, WORLD, leaders, merged_links
-from simkit.urdf.frame import Frame
 from simkit.urdf.inertia import body_of_shapes, turned
-from simkit.urdf.matrix import Matrix, transpose
-from simkit.urdf.model import Mesh, Pose
+from simkit.urdf.matrix import transpose
+from simkit.urdf.model import Mesh
 from simkit.urdf.placed_shape import PlacedShape, is_sound
 from simkit.urdf.rules.entries import BodyEntry, InertialEntry, LinkEntry, OriginEntry
 from simkit.urdf.rules.sheet import Sheet
@@ -23,12 +22,12 @@ _FAR = 1e6
 "Distances, masses and moments beyond this are slips of the pen, which other rules tell of."
 
 
-def frame_of(origin: OriginEntry) -> Frame | None:
+def frame_of(origin: OriginEntry) -> Transform | None:
     """Where an `<origin>` puts something; None if that cannot be read."""
     if origin.xyz is None or origin.rpy is None:
         return None
     is_near = all(abs(value) < _FAR for value in (*origin.xyz, *origin.rpy))
-    return Frame.of(Pose(origin.xyz, origin.rpy)) if is_near else None
+    return Transform.from_rpy(origin.xyz, origin.rpy) if is_near else None
 
 
 def placed_shape(body: BodyEntry) -> PlacedShape | None:
@@ -88,7 +87,7 @@ def fitting_tensor(link: LinkEntry) -> Matrix | None:
     frame = None if link.inertial is None else frame_of(link.inertial.origin)
     if not shapes or not mass or frame is None:
         return None
-    return turned(body_of_shapes(shapes, mass).tensor, transpose(frame.rotation))
+    return turned(body_of_shapes(shapes, mass).tensor, transpose(frame.matrix))
 
 
 def centre_of_mass(link: LinkEntry) -> Vector | None:
@@ -96,7 +95,7 @@ def centre_of_mass(link: LinkEntry) -> Vector | None:
     if link.inertial is None or not mass_of(link):
         return None
     frame = frame_of(link.inertial.origin)
-    return None if frame is None else frame.origin
+    return None if frame is None else frame.translation
 
 
 def reach(link: LinkEntry) -> float:
@@ -196,7 +195,7 @@ class Standing:
 
     root: str
     """The root link that it hangs on, over however many joints."""
-    frame: Frame
+    frame: Transform
     """Its frame, seen from that root."""
 
 
@@ -204,7 +203,7 @@ def zero_pose(sheet: Sheet) -> dict[str, Standing]:
     """The links that hang together with a root, and where they stand, by name."""
     found: dict[str, Standing] = {}
     waiting = [
-        (name, Standing(name, Frame()))
+        (name, Standing(name, Transform()))
         for name in sheet.link_by_name
         if name not in sheet.joints_above
     ]
@@ -216,7 +215,7 @@ def zero_pose(sheet: Sheet) -> dict[str, Standing]:
         for joint in sheet.joints_below.get(name, ()):
             frame = frame_of(joint.origin)
             if frame is not None and joint.child in sheet.link_by_name and joint.child:
-                below = Standing(standing.root, standing.frame.then(frame))
+                below = Standing(standing.root, standing.frame @ frame)
                 waiting.append((joint.child, below))
     return found
 

@@ -5,9 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from simkit.geometry import Vector
-from simkit.urdf.frame import Frame
-from simkit.urdf.matrix import apply
+from simkit.geometry import Transform, Vector
 from simkit.urdf.rules.bodies import Standing, standing_shapes, zero_pose
 from simkit.urdf.rules.entries import JointEntry, PluginEntry
 from simkit.urdf.rules.sheet import Sheet
@@ -132,18 +130,18 @@ def _wheel(
     link = sheet.link_by_name[joint.child or ""]
     touched = standing_shapes(link.collisions, where)
     rolling = round_part((*touched, *standing_shapes(link.visuals, where)))
-    middle = where.frame.origin if rolling is None else rolling[1].origin
+    middle = where.frame.translation if rolling is None else rolling[1].translation
     return Wheel(
         joint=joint,
         element=element,
-        middle=seen_from.frame.back(middle),
-        axis=_axis(joint, seen_from.frame.from_here(where.frame)),
+        middle=seen_from.frame.apply_back(middle),
+        axis=_axis(joint, seen_from.frame.inverse() @ where.frame),
         radius=None if rolling is None else rolling[0].radius,
         lowest=min((shape.lowest() for shape in touched), default=None),
     )
 
 
-def _axis(joint: JointEntry, frame: Frame) -> Vector:
-    x, y, z = apply(frame.rotation, joint.axis or (0.0, 0.0, 0.0))
+def _axis(joint: JointEntry, frame: Transform) -> Vector:
+    x, y, z = frame.rotate(joint.axis or (0.0, 0.0, 0.0))
     length = math.hypot(x, y, z)
     return (x / length, y / length, z / length) if 0.0 < length < math.inf else (0.0, 0.0, 0.0)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
+from simkit.geometry import IDENTITY_MATRIX, Matrix
 from simkit.urdf.inertia import (
     ROUNDED,
     gyration_radius,
@@ -13,7 +14,7 @@ from simkit.urdf.inertia import (
     triangle_ratio,
     turned,
 )
-from simkit.urdf.matrix import IDENTITY, Matrix, eigenvalues
+from simkit.urdf.matrix import eigenvalues
 from simkit.urdf.model import Box, Cylinder
 from simkit.urdf.placed_shape import PlacedShape, Primitive
 from simkit.urdf.rules.bodies import (
@@ -144,7 +145,7 @@ def identity_inertia(sheet: Sheet) -> Iterator[Find]:
     lump_of = lumps(sheet)
     for link in sheet.links:
         tensor = _written(link)
-        if tensor != IDENTITY:
+        if tensor != IDENTITY_MATRIX:
             continue
         size = reach(link)
         is_too_wide = size > 0.0 and gyration_radius(tensor, mass_of(link)) > size
@@ -170,7 +171,7 @@ def is_possible(tensor: Matrix) -> bool:
 
 def is_plausible(tensor: Matrix) -> bool:
     """Whether no rule of this module speaks of it."""
-    return is_possible(tensor) and tensor != IDENTITY
+    return is_possible(tensor) and tensor != IDENTITY_MATRIX
 
 
 def tensor_remedy(link: LinkEntry) -> str:
@@ -267,7 +268,7 @@ def _formula(link: LinkEntry, shape: PlacedShape) -> Matrix | None:
     frame = None if link.inertial is None else frame_of(link.inertial.origin)
     if frame is None:
         return None
-    rotation = frame.from_here(shape.frame).rotation
+    rotation = (frame.inverse() @ shape.frame).matrix
     return turned(shape_tensor(shape.shape, mass_of(link)), rotation)
 
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
-from simkit.urdf.frame import Frame
+from simkit.geometry import Transform
 from simkit.urdf.model import Pose
 from simkit.urdf.placed_shape import PlacedShape
 from simkit.urdf.rules.bodies import Standing, standing_shapes, zero_pose
@@ -91,14 +91,14 @@ def laser_inside(sheet: Sheet) -> Iterator[Find]:
         pose = _pose(sensor)
         if where is None or pose is None:
             continue
-        eye = where.frame.then(Frame.of(pose))
+        eye = where.frame @ pose.transform
         near = _number(sensor, "ray", "range", "min") or 0.0
         for name, shape in shapes:
-            if shape.depth(eye.origin) > 0.0 and _reaches_beyond(shape, eye, near):
+            if shape.depth(eye.translation) > 0.0 and _reaches_beyond(shape, eye, near):
                 yield Find(
                     sensor,
                     what=f"the laser {quoted(sensor.get('name'))} sits inside of the collision shape of {quoted(name)}, "
-                    f"{short(shape.depth(eye.origin))} m deep",
+                    f"{short(shape.depth(eye.translation))} m deep",
                     remedy=f"Move {quoted(block.reference)} out of {quoted(name)}, or raise <min> beyond its shape.",
                 )
                 break
@@ -238,8 +238,8 @@ def _shapes(sheet: Sheet, standing: dict[str, Standing]) -> Iterator[tuple[str, 
             yield link.name or "", shape
 
 
-def _reaches_beyond(shape: PlacedShape, eye: Frame, near: float) -> bool:
+def _reaches_beyond(shape: PlacedShape, eye: Transform, near: float) -> bool:
     """Whether a beam that starts `near` [m] from the eye, in its plane, still starts inside of a shape."""
     ways = [(math.cos(turn), math.sin(turn), 0.0) for turn in (math.pi / 8 * i for i in range(16))]
-    starts = [eye.point((near * x, near * y, 0.0)) for x, y, _ in ways]
+    starts = [eye.apply((near * x, near * y, 0.0)) for x, y, _ in ways]
     return any(shape.depth(start) > 0.0 for start in starts)

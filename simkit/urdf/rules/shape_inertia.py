@@ -7,10 +7,9 @@ import itertools
 from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
-from simkit.geometry import Vector
-from simkit.urdf.frame import Frame
+from simkit.geometry import Matrix, Transform, Vector, matrix_from_rpy
 from simkit.urdf.inertia import gyration_radius, shape_tensor, turned
-from simkit.urdf.matrix import Matrix, eigenvalues, product, rotation_matrix, transpose
+from simkit.urdf.matrix import eigenvalues, product, transpose
 from simkit.urdf.model import Cylinder
 from simkit.urdf.rules.bodies import (
     counts,
@@ -38,7 +37,7 @@ def is_swapped(link: LinkEntry, written: Matrix) -> bool:
     relative = _shape_in_inertial(link)
     if relative is None:
         return False
-    tensor = turned(written, transpose(relative.rotation))
+    tensor = turned(written, transpose(relative.matrix))
     trace = tensor[0][0] + tensor[1][1] + tensor[2][2]
     if max(abs(tensor[0][1]), abs(tensor[0][2]), abs(tensor[1][2])) > _SAME * trace:
         return False
@@ -49,13 +48,13 @@ def is_swapped(link: LinkEntry, written: Matrix) -> bool:
     return _distance(own, right) > _OTHER and min(orders) < _SAME
 
 
-def _shape_in_inertial(link: LinkEntry) -> Frame | None:
+def _shape_in_inertial(link: LinkEntry) -> Transform | None:
     """Where the only shape of a link stands in its `<inertial>`; None if there are more."""
     shapes = solid(link)
     frame = None if link.inertial is None else frame_of(link.inertial.origin)
     if len(shapes) != 1 or frame is None:
         return None
-    return frame.from_here(shapes[0].frame)
+    return frame.inverse() @ shapes[0].frame
 
 
 def swapped_remedy(link: LinkEntry, fitting: Matrix) -> str:
@@ -74,8 +73,8 @@ def swapped_remedy(link: LinkEntry, fitting: Matrix) -> str:
 
 def _turned_back(tensor: Matrix, rpy: Vector | None, shape_rpy: Vector) -> Matrix:
     """A tensor in the axes of an `<inertial>`, in those of the shape."""
-    rotation = rotation_matrix(rpy or (0.0, 0.0, 0.0))
-    return turned(tensor, product(transpose(rotation_matrix(shape_rpy)), rotation))
+    rotation = matrix_from_rpy(rpy or (0.0, 0.0, 0.0))
+    return turned(tensor, product(transpose(matrix_from_rpy(shape_rpy)), rotation))
 
 
 def _shares(moments: Vector) -> Vector:

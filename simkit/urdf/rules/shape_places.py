@@ -206,7 +206,7 @@ def _pairs(link: LinkEntry) -> Iterator[tuple[BodyEntry, BodyEntry]]:
 
 def _apart(one: PlacedShape, other: PlacedShape) -> float:
     """How far the surfaces of two equal shapes, or the middles of two others, are apart [m]."""
-    distance = math.dist(one.frame.origin, other.frame.origin)
+    distance = math.dist(one.frame.translation, other.frame.translation)
     if one.shape != other.shape:
         return distance
     ways = [*_AXES.values(), *_CORNERS]

@@ -8,9 +8,9 @@ from collections.abc import Iterable, Iterator
 
 from simkit.diagnostics import Severity
 from simkit.diagnostics.table import Loss
-from simkit.geometry import Vector
+from simkit.geometry import Matrix, Vector, matrix_from_rpy
 from simkit.urdf.inertia import Body, body_of_shapes, turned
-from simkit.urdf.matrix import Matrix, rotation_matrix, transpose
+from simkit.urdf.matrix import transpose
 from simkit.urdf.model import Rgba
 from simkit.urdf.placed_shape import PlacedShape
 from simkit.urdf.rules.entries import OriginEntry
@@ -247,7 +247,7 @@ def inertial_text(shapes: tuple[PlacedShape, ...], origin: OriginEntry | None, m
     rpy: Vector = (0.0, 0.0, 0.0)
     if origin is not None and origin.rpy is not None:
         rpy = origin.rpy
-        body = Body(mass, body.centre, turned(body.tensor, transpose(rotation_matrix(rpy))))
+        body = Body(mass, body.centre, turned(body.tensor, transpose(matrix_from_rpy(rpy))))
     where = f'<origin xyz="{triple(body.centre)}" rpy="{triple(rpy)}"/>'
     return f'<inertial>{where}<mass value="{short(mass)}"/>{tensor_text(body.tensor)}</inertial>'
 

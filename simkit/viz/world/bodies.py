@@ -91,7 +91,7 @@ def _joint(joint: JointPlan, frame: str, size: float) -> Iterator[Solid]:
     """A rod along the axis; around it a disc if the joint turns, a box if it slides."""
     if not joint.moves:
         return
-    turn = multiply(quaternion_from_matrix(joint.anchor.rotation), quaternion_from_z(joint.axis))
+    turn = multiply(joint.anchor.rotation, quaternion_from_z(joint.axis))
     middle = (
         Cylinder(_DISC * size, _THICK * size)
         if joint.kind is JointKind.REVOLUTE
@@ -102,7 +102,7 @@ def _joint(joint: JointPlan, frame: str, size: float) -> Iterator[Solid]:
             link=frame,
             role=Role.JOINT,
             shape=shape,
-            translation=joint.anchor.origin,
+            translation=joint.anchor.translation,
             rotation=turn,
             color=JOINT_COLOR,
         )

@@ -11,7 +11,6 @@ from simkit.geometry import (
     Transform,
     Vector,
     multiply,
-    quaternion_from_matrix,
     quaternion_from_z,
 )
 from simkit.physics import Plane
@@ -143,7 +142,7 @@ def _of_plan(thing: Thing, grounds: list[Ground]) -> Iterator[Solid]:
     """Of a model without a file, what others touch."""
     for body in thing.model.plan.bodies.values():
         for shape in body.shapes:
-            translation, rotation = shape.frame.origin, quaternion_from_matrix(shape.frame.rotation)
+            translation, rotation = shape.frame
             if isinstance(shape.solid, Plane):
                 rotation = multiply(rotation, quaternion_from_z(shape.solid.normal))
                 grounds.append(

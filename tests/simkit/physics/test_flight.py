@@ -7,8 +7,6 @@ import math
 import numpy as np
 import pytest
 
-from simkit.physics.poses import frame_of
-
 SECOND = 1_000_000_000
 
 
@@ -17,13 +15,13 @@ def momenta(model) -> tuple[np.ndarray, np.ndarray]:
     centre = np.array(model.centre_of_mass)
     linear, angular = np.zeros(3), np.zeros(3)
     for name, plan in model.plan.bodies.items():
-        pose = frame_of(model.link_pose(name))
-        turn = np.array(pose.rotation)
+        pose = model.link_pose(name)
+        turn = np.array(pose.matrix)
         arm = turn @ np.array(plan.body.centre)
         origin_velocity, spin = map(np.array, model.link_twist(name))
         velocity = origin_velocity + np.cross(spin, arm)
         linear += plan.body.mass * velocity
-        offset = np.array(pose.origin) + arm - centre
+        offset = np.array(pose.translation) + arm - centre
         angular += turn @ np.array(plan.body.tensor) @ turn.T @ spin
         angular += plan.body.mass * np.cross(offset, velocity)
     return linear, angular

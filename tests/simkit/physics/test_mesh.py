@@ -43,10 +43,10 @@ def test_a_wheel_is_a_cylinder_along_its_axis(axis):
     solid, frame = stand_in(TriangleMesh.of(prism(40, 0.3, 0.1, axis) + np.array([1.0, 2.0, 3.0])))
     assert isinstance(solid, Cylinder)
     assert (solid.radius, solid.length) == pytest.approx((0.3, 0.1))
-    assert frame.origin == pytest.approx((1.0, 2.0, 3.0))
-    along = np.array(frame.rotation) @ [0.0, 0.0, 1.0]
+    assert frame.translation == pytest.approx((1.0, 2.0, 3.0))
+    along = np.array(frame.matrix) @ [0.0, 0.0, 1.0]
     assert np.abs(along) == pytest.approx(np.eye(3)[axis])
-    assert np.linalg.det(np.array(frame.rotation)) == pytest.approx(1.0)
+    assert np.linalg.det(np.array(frame.matrix)) == pytest.approx(1.0)
 
 
 def test_a_ball_is_a_sphere_and_a_box_a_box():
@@ -55,7 +55,7 @@ def test_a_ball_is_a_sphere_and_a_box_a_box():
     assert solid.radius == pytest.approx(0.5, rel=0.02)
     solid, frame = stand_in(TriangleMesh.of(BOX))
     assert solid == Box((2.0, 1.0, 3.0))
-    assert frame.origin == (1.0, 0.5, 1.5)
+    assert frame.translation == (1.0, 0.5, 1.5)
 
 
 def test_a_flat_mesh_has_a_thickness():

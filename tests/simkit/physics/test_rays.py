@@ -7,12 +7,12 @@ import math
 import numpy as np
 import pytest
 
+from simkit.geometry import matrix_from_rpy
 from simkit.physics import MISS, Plane
 from simkit.physics.mesh import TriangleMesh
 from simkit.physics.rays import Hits, Target
 from simkit.physics.rays import cast as cast_at
 from simkit.urdf import Box, Cylinder, Sphere
-from simkit.urdf.matrix import rotation_matrix
 
 BEAMS = 720
 
@@ -27,7 +27,7 @@ def fan(count: int = BEAMS, width: float = math.pi) -> np.ndarray:
 
 
 def target(shape, origin=(0.0, 0.0, 0.0), rpy=(0.0, 0.0, 0.0)) -> Target:
-    return Target(shape, np.array(rotation_matrix(rpy)), np.array(origin))
+    return Target(shape, np.array(matrix_from_rpy(rpy)), np.array(origin))
 
 
 def depth(shape, points: np.ndarray) -> np.ndarray:
@@ -76,7 +76,7 @@ def test_rays_end_on_the_surface_and_pass_nothing_before(shape):
     directions = np.array(place) + rng.normal(size=(500, 3)) * 0.5 - origins
     directions /= np.linalg.norm(directions, axis=1)[:, None]
     hits = cast(origins, directions, [target(shape, place, rpy)], 1e9)
-    turn = np.array(rotation_matrix(rpy))
+    turn = np.array(matrix_from_rpy(rpy))
 
     def outside(distances):
         points = origins + directions * distances[:, None]

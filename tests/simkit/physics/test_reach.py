@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 
 from simkit.geometry import Transform
 from simkit.physics import World, plan_robot
-from simkit.physics.poses import frame_of
 from simkit.physics.reach import Region, reaches
 from simkit.urdf import load_robot
 
@@ -69,8 +68,7 @@ def test_shapes_stay_in_their_regions(parts, place, random):
     base = Transform(place, (0.0, 0.6, 0.0, 0.8))
     model = world.add(plan_robot(load_robot(chain(parts), file="chain.urdf")), pose=base)
     found = {
-        f"chain::{body}::{number}": reach
-        for body, number, reach in reaches(model.plan, frame_of(model.base))
+        f"chain::{body}::{number}": reach for body, number, reach in reaches(model.plan, model.base)
     }
     for _ in range(10):
         for joint in model.joints.values():
@@ -86,10 +84,10 @@ def test_shapes_stay_in_their_regions(parts, place, random):
 
 
 def test_what_cannot_move_is_still_and_what_is_loose_can_be_anywhere(robot_plan):
-    arm = {body: reach for body, _, reach in reaches(robot_plan("arm"), frame_of(HERE))}
+    arm = {body: reach for body, _, reach in reaches(robot_plan("arm"), HERE)}
     assert [body for body, reach in arm.items() if reach.is_still] == ["base_link"]
     assert all(math.isfinite(reach.region.radius) for reach in arm.values())
-    car = [reach for _, _, reach in reaches(robot_plan("car"), frame_of(HERE))]
+    car = [reach for _, _, reach in reaches(robot_plan("car"), HERE)]
     assert all(math.isinf(reach.region.radius) and not reach.is_still for reach in car)
 
 

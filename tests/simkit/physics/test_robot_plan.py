@@ -47,7 +47,7 @@ def test_the_lumped_car_balances_as_its_parts_do(robot_plan):
     x = 0.0
     for body in plan.bodies.values():
         offset = next(
-            (j.frame.origin[0] for j in plan.joints.values() if j.child == body.name), 0.0
+            (j.frame.translation[0] for j in plan.joints.values() if j.child == body.name), 0.0
         )
         x += body.body.mass * (body.body.centre[0] + offset)
     assert total == pytest.approx(2.5)
@@ -58,7 +58,7 @@ def test_links_that_were_lumped_keep_their_frames(robot_plan):
     mounts = robot_plan("car").mounts
     assert set(mounts) == {"base_link", "chaiss", "front_wheel", "left_wheel", "right_wheel"}
     assert mounts["front_wheel"].body == "base_link"
-    assert mounts["front_wheel"].frame.origin == pytest.approx((0.2, 0.0, 0.1))
+    assert mounts["front_wheel"].frame.translation == pytest.approx((0.2, 0.0, 0.1))
 
 
 def test_collisions_with_names_keep_them(robot_plan):
@@ -85,7 +85,7 @@ def test_a_robot_may_hang_on_the_world_by_a_moving_joint(plan_text):
     plan = plan_text(link("world", "") + link("a") + moving)
     assert plan.joints["j"].parent is None
     assert plan.joints["j"].axis == (0.0, 1.0, 0.0)
-    assert plan.joints["j"].frame.origin == (0.0, 0.0, 1.0)
+    assert plan.joints["j"].frame.translation == (0.0, 0.0, 1.0)
 
 
 def test_the_joints_of_a_lumped_link_hang_on_the_body_that_took_it_in(plan_text):
@@ -97,7 +97,7 @@ def test_the_joints_of_a_lumped_link_hang_on_the_body_that_took_it_in(plan_text)
         + joint("bc", "b", "c", "continuous", '<origin xyz="1 0 0"/>')
     )
     assert plan.joints["bc"].parent == "a"
-    assert plan.joints["bc"].frame.origin == pytest.approx((1.0, 1.0, 0.0))
+    assert plan.joints["bc"].frame.translation == pytest.approx((1.0, 1.0, 0.0))
 
 
 def test_what_has_no_mass_is_left_out_with_all_below_it(plan_text):
@@ -160,7 +160,7 @@ def test_what_floats_is_free(plan_text, kind):
     free = plan.joints["b (free)"]
     assert free.kind is JointKind.FREE
     assert free.parent is None
-    assert free.frame.origin == (0.0, 0.0, 2.0)
+    assert free.frame.translation == (0.0, 0.0, 2.0)
     assert "floats free" in plan.notes[0]
 
 

@@ -11,10 +11,9 @@ import pytest
 from simkit.geometry import Transform
 from simkit.physics import JointKind, JointPlan, ShapePlan, World, plan_robot
 from simkit.physics.treads import WIDTH, contact_solid
-from simkit.urdf import Box, Cylinder, Pose, load_robot
-from simkit.urdf.frame import Frame
+from simkit.urdf import Box, Cylinder, load_robot
 
-LYING = Frame.of(Pose(rpy=(math.pi / 2, 0.0, 0.0)))
+LYING = Transform.from_rpy((0.0, 0.0, 0.0), (math.pi / 2, 0.0, 0.0))
 JOINT = JointPlan(
     name="axle", kind=JointKind.REVOLUTE, parent="base", child="wheel", axis=(0.0, 1.0, 0.0)
 )
@@ -26,7 +25,7 @@ def test_a_wheel_is_narrow_where_it_touches():
     assert contact_solid(WHEEL, JOINT) == NARROW
     back = replace(JOINT, axis=(0.0, -1.0, 0.0))
     assert contact_solid(WHEEL, back) == NARROW
-    rounded = replace(WHEEL, frame=Frame.of(Pose(rpy=(1.57, 0.0, 0.0), xyz=(0.0, 0.03, 0.001))))
+    rounded = replace(WHEEL, frame=Transform.from_rpy((0.0, 0.03, 0.001), (1.57, 0.0, 0.0)))
     assert contact_solid(rounded, JOINT) == NARROW
     thin = replace(WHEEL, solid=Cylinder(radius=0.1, length=0.001))
     assert contact_solid(thin, JOINT) == thin.solid
@@ -35,10 +34,13 @@ def test_a_wheel_is_narrow_where_it_touches():
 @pytest.mark.parametrize(
     ("shape", "joint"),
     [
-        (replace(WHEEL, frame=Frame()), JOINT),  # it stands
-        (replace(WHEEL, frame=Frame.of(Pose(rpy=(1.5, 0.0, 0.0)))), JOINT),  # askew
+        (replace(WHEEL, frame=Transform()), JOINT),  # it stands
         (
-            replace(WHEEL, frame=Frame.of(Pose(rpy=(math.pi / 2, 0.0, 0.0), xyz=(0.02, 0.0, 0.0)))),
+            replace(WHEEL, frame=Transform.from_rpy((0.0, 0.0, 0.0), (1.5, 0.0, 0.0))),
+            JOINT,
+        ),  # askew
+        (
+            replace(WHEEL, frame=Transform.from_rpy((0.02, 0.0, 0.0), (math.pi / 2, 0.0, 0.0))),
             JOINT,
         ),  # a cam
         (replace(WHEEL, solid=Cylinder(radius=0.1, length=0.3)), JOINT),  # a roller

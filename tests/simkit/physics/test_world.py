@@ -140,6 +140,7 @@ def test_another_process_finds_the_same_bits(new_world, robot_plan, at):
     program = """
 import hashlib, struct
 from pathlib import Path
+from simkit.geometry import Transform
 from simkit.physics import World, plan_robot
 from simkit.urdf import load_robot
 world = World()

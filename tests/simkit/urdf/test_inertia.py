@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from simkit.geometry import Transform, matrix_from_rpy
 from simkit.urdf import Box, Cylinder, Pose, Sphere
-from simkit.urdf.frame import Frame
 from simkit.urdf.inertia import (
     Body,
     body_of_shapes,
@@ -23,7 +23,7 @@ from simkit.urdf.inertia import (
     triangle_ratio,
     turned,
 )
-from simkit.urdf.matrix import diagonal, rotation_matrix
+from simkit.urdf.matrix import diagonal
 from simkit.urdf.placed_shape import PlacedShape
 
 SHAPES = (Box((0.5, 0.3, 0.07)), Cylinder(0.1, 0.4), Sphere(0.2))
@@ -47,7 +47,7 @@ def near(tensor, *, size=1e-9):
 
 @pytest.mark.parametrize("shape", SHAPES, ids=repr)
 def test_formulas_are_those_of_many_small_masses(shape):
-    one = PlacedShape(shape, Frame())
+    one = PlacedShape(shape, Transform())
     axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     half = [one.support(axis)[number] for number, axis in enumerate(axes)]
     steps = (np.arange(20) + 0.5) / 10.0 - 1.0
@@ -68,11 +68,11 @@ def test_formulas_in_numbers_of_the_book():
 @given(_points, _poses)
 def test_merged_points_are_one_body_wherever_they_are_seen_from(points, pose):
     bodies = [Body(mass, point, diagonal((0.0, 0.0, 0.0))) for mass, point in points]
-    frame = Frame.of(pose)
+    frame = pose.transform
     one, seen = merged(bodies), merged([placed(body, frame) for body in bodies])
     assert np.array(one.tensor) == near(tensor_of_points(*zip(*points, strict=True)), size=1e-7)
     assert np.array(seen.tensor) == near(placed(one, frame).tensor, size=1e-7)
-    assert seen.centre == pytest.approx(frame.point(one.centre), abs=1e-9)
+    assert seen.centre == pytest.approx(frame.apply(one.centre), abs=1e-9)
     assert seen.mass == pytest.approx(one.mass)
 
 
@@ -87,7 +87,7 @@ def test_no_body_of_points_breaks_the_triangle_inequality(points):
 @given(_vectors, st.sampled_from(SHAPES))
 def test_turning_a_tensor_changes_no_principal_moment(rpy, shape):
     tensor = shape_tensor(shape, 2.0)
-    again = turned(tensor, rotation_matrix(rpy))
+    again = turned(tensor, matrix_from_rpy(rpy))
     assert np.linalg.eigvalsh(again) == pytest.approx(np.linalg.eigvalsh(tensor), abs=1e-12)
     assert is_positive_definite(again)
     assert gyration_radius(again, 2.0) == pytest.approx(gyration_radius(tensor, 2.0))
@@ -111,7 +111,7 @@ def test_lumping_the_car_of_the_book():
 
 def test_two_halves_of_a_box_are_the_box():
     half = Box((0.25, 0.3, 0.07))
-    halves = [PlacedShape(half, Frame.of(Pose((x, 0.0, 0.0)))) for x in (-0.125, 0.125)]
+    halves = [PlacedShape(half, Transform((x, 0.0, 0.0))) for x in (-0.125, 0.125)]
     whole = body_of_shapes(halves, 5.0)
     assert whole.centre == pytest.approx((0.0, 0.0, 0.0), abs=1e-12)
     assert np.array(whole.tensor) == near(shape_tensor(Box((0.5, 0.3, 0.07)), 5.0), size=1e-9)

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
+from simkit.geometry import Transform
 from simkit.urdf import Box, Cylinder, Pose, Sphere
-from simkit.urdf.frame import Frame
 from simkit.urdf.placed_shape import PlacedShape, extent, is_sound, overlap, shrunk, volume
 
 SHAPES = (Box((0.5, 0.3, 0.07)), Cylinder(0.1, 0.4), Cylinder(0.3, 0.02), Sphere(0.2))
@@ -16,14 +16,14 @@ SHAPES = (Box((0.5, 0.3, 0.07)), Cylinder(0.1, 0.4), Cylinder(0.3, 0.02), Sphere
 
 def anywhere(rng, shape, *, spread=0.6):
     pose = Pose(tuple(rng.uniform(-spread, spread, 3)), tuple(rng.uniform(-3.0, 3.0, 3)))
-    return PlacedShape(shape, Frame.of(pose))
+    return PlacedShape(shape, pose.transform)
 
 
 def points_in(rng, shape, count):
     """Points of a shape, drawn evenly from its bounding box, seen from outside."""
     half = extent(shape.shape) / 2
     drawn = rng.uniform(-half, half, (count, 3))
-    seen = [shape.frame.point(tuple(point)) for point in drawn]
+    seen = [shape.frame.apply(tuple(point)) for point in drawn]
     return [point for point in seen if shape.depth(point) >= 0.0]
 
 
@@ -94,13 +94,13 @@ def test_shapes_with_a_deep_common_point_overlap_and_those_without_any_do_not(sh
         common = [min(one.depth(p), two.depth(p)) for p in points_in(rng, one, 60)]
         if max(common, default=-1.0) > 1.5 * least:
             assert found
-        gap = math.dist(one.frame.origin, two.frame.origin)
+        gap = math.dist(one.frame.translation, two.frame.translation)
         if gap > (extent(shape) + extent(other)) / 2:
             assert not found
 
 
 def test_shapes_that_touch_do_not_overlap():
-    box = PlacedShape(Box((0.5, 0.3, 0.07)), Frame())
+    box = PlacedShape(Box((0.5, 0.3, 0.07)), Transform())
     for y, expected in ((0.17, False), (0.171, False), (0.15, True)):
-        wheel = PlacedShape(Cylinder(0.1, 0.04), Frame.of(Pose((0, y, 0), (math.pi / 2, 0, 0))))
+        wheel = PlacedShape(Cylinder(0.1, 0.04), Transform.from_rpy((0, y, 0), (math.pi / 2, 0, 0)))
         assert overlap(box, wheel, 0.005) is expected
