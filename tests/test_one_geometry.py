@@ -13,7 +13,7 @@ HOME = "simkit/geometry.py"
 
 # Files that may write a product of quaternions out, and why.
 WRITTEN_OUT = {
-    "simkit/tf/climb.py": "a lookup spends its time there: one product without a call",
+    "simkit/tf/cache.py": "a lookup spends its time there: one product without a call",
 }
 # ROS's own names, under which students find them.
 OF_ROS = ("simkit/ros1/", "simkit/tf/transformations")
