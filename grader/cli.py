@@ -97,6 +97,9 @@ def _add_authoring(commands_of: _Commands) -> None:
     new.set_defaults(run=commands.new)
     new.add_argument("id", metavar="ID", help="its number, e.g. 3.11")
     new.add_argument("--title", required=True, help='its title, e.g. "Broadcast a tf"')
+    new.add_argument(
+        "--like", metavar="ID", help="begin as a copy of this exercise, e.g. 3.1 or S.1"
+    )
     verify = commands_of.add_parser("verify", help="verify that solutions pass and stubs do not")
     verify.set_defaults(run=commands.verify)
     verify.add_argument("--jobs", type=_jobs, help="how many at once (default: one per core)")

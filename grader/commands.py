@@ -118,12 +118,16 @@ def start(options: argparse.Namespace) -> int:
 
 
 def new(options: argparse.Namespace) -> int:
-    """`grader new ID --title TITLE`."""
+    """`grader new ID --title TITLE [--like ID]`."""
     from grader.authoring.new import new_exercise
 
     root = _root(options)
-    for path in new_exercise(root, options.id, title=options.title):
+    for path in new_exercise(root, options.id, title=options.title, like=options.like):
         print(f"made {path.relative_to(root).as_posix()}")
+    print(
+        "next: fill in each place that says FILL IN, then `grader build`"
+        f" and `grader verify --only {options.id}`"
+    )
     return OK
 
 

@@ -69,16 +69,19 @@ class CheckResult:
     """Why it did not pass, for the student."""
     hint: str = ""
     """What to try next."""
+    log: str = ""
+    """Errors and warnings of the check's simulation, a line each; for authors, empty when a class is graded."""
 
     def __post_init__(self) -> None:
-        for name in ("title", "message", "hint"):
+        for name in ("title", "message", "hint", "log"):
             object.__setattr__(self, name, _bounded(getattr(self, name)))
         object.__setattr__(self, "name", _bounded(self.name, MAX_NAME))
         _require_points(self)
 
     def to_json(self) -> dict[str, object]:
         """The result as plain values, in the shape of the gradebook."""
-        return {**asdict(self), "status": str(self.status)}
+        values = {**asdict(self), "status": str(self.status)}
+        return values if self.log else {key: values[key] for key in values if key != "log"}
 
     @classmethod
     def from_json(cls, value: object) -> Self:
@@ -87,7 +90,8 @@ class CheckResult:
         Raises:
             ResultError: Anything else: other keys, other types, out of bounds.
         """
-        record = _record(value, [f.name for f in fields(cls)], "check")
+        given = {"log": "", **value} if isinstance(value, dict) else value
+        record = _record(given, [f.name for f in fields(cls)], "check")
         return cls(
             name=_text(record, "name", MAX_NAME),
             title=_text(record, "title"),
@@ -97,6 +101,7 @@ class CheckResult:
             hidden=_flag(record, "hidden"),
             message=_text(record, "message"),
             hint=_text(record, "hint"),
+            log=_text(record, "log"),
         )
 
 

@@ -15,7 +15,10 @@ class Finding:
     """What is wrong."""
     remedy: str
     """What to do."""
+    log: str = ""
+    """Errors and warnings of the simulation that it was found in, a line each."""
 
     def __str__(self) -> str:
-        """The finding as one line."""
-        return f"{self.file}: {self.what}; {self.remedy}"
+        """The finding as one line, and the log indented below it."""
+        lines = [f"{self.file}: {self.what}; {self.remedy}", *self.log.splitlines()]
+        return "\n    log: ".join(lines)

@@ -26,6 +26,8 @@ class Trial:
     submission: Submission
     judge: Callable[[ExerciseResult], list[Finding]]
     """The findings that follow from its result."""
+    is_variant: bool = False
+    """Whether it is a variant: tried only where the solution passes."""
 
 
 def trials_of(root: Path, source: Source) -> tuple[list[Trial], list[Finding]]:
@@ -80,7 +82,7 @@ def _twice(exercise: Exercise, solution: Submission, file: str) -> list[Trial]:
     def judge(result: ExerciseResult) -> list[Finding]:
         results.append(result)
         if len(results) == 1:
-            return [_not_passed(file, "the solution", check) for check in _not_passing(result)]
+            return _not_passed(file, "the solution", result)
         if result == results[0]:
             return []
         remedy = "take chance from `rng` and time from `sim` in the checks"
@@ -89,16 +91,32 @@ def _twice(exercise: Exercise, solution: Submission, file: str) -> list[Trial]:
     return [Trial(exercise=exercise, submission=solution, judge=judge) for _ in range(2)]
 
 
-def _not_passing(result: ExerciseResult) -> list[CheckResult]:
-    return [check for check in result.checks if check.status is not Status.PASSED]
+def _not_passed(file: str, who: str, result: ExerciseResult) -> list[Finding]:
+    """The checks that did not pass: each cause once, with its log, and how many were skipped for it."""
+    failed = [check for check in result.checks if check.status is not Status.PASSED]
+    causes = [check for check in failed if check.status is not Status.SKIPPED] or failed
+    skipped = len(failed) - len(causes)
+    findings, logs = [], set()
+    for check in causes:
+        new_log = "" if check.log in logs else check.log
+        logs.add(check.log)
+        findings.append(
+            Finding(
+                file=file,
+                what=f"{who} does not pass {check.name} ({check.status}): {check.message}",
+                remedy=_remedy(check),
+                log=new_log,
+            )
+        )
+    if skipped:
+        more = f"{findings[-1].remedy}; {skipped} more skipped, since they build on it"
+        findings[-1] = replace(findings[-1], remedy=more)
+    return findings
 
 
-def _not_passed(file: str, who: str, check: CheckResult) -> Finding:
-    return Finding(
-        file=file,
-        what=f"{who} does not pass {check.name} ({check.status}): {check.message}",
-        remedy="correct the check or the solution",
-    )
+def _remedy(check: CheckResult) -> str:
+    is_fault = check.status is Status.INFRASTRUCTURE
+    return "correct the check" if is_fault else "correct the check or the solution"
 
 
 def _variant_trials(
@@ -121,6 +139,7 @@ def _variant_trials(
                 exercise=exercise,
                 submission=replace(submission, student="variant"),
                 judge=_judge_of(variant),
+                is_variant=True,
             )
         )
     if not any(not variant.is_right for variant in variants):
@@ -143,13 +162,20 @@ def _judge_of(variant: Variant) -> Callable[[ExerciseResult], list[Finding]]:
     file = f"solutions/{variant.path.name}:{variant.line}"
 
     def accept(result: ExerciseResult) -> list[Finding]:
-        who = f"the right variant {variant.name!r}"
-        return [_not_passed(file, who, check) for check in _not_passing(result)]
+        return _not_passed(file, f"the right variant {variant.name!r}", result)
 
     def reject(result: ExerciseResult) -> list[Finding]:
-        return list(_rejection(file, variant, result))
+        return [*_faults_of_checks(file, variant, result), *_rejection(file, variant, result)]
 
     return accept if variant.is_right else reject
+
+
+def _faults_of_checks(file: str, variant: Variant, result: ExerciseResult) -> Iterator[Finding]:
+    """A check that breaks down has a fault of its own, whatever the variant did to it."""
+    for check in result.checks:
+        if check.status is Status.INFRASTRUCTURE:
+            what = f"the wrong variant {variant.name!r} breaks {check.name}: {check.message}"
+            yield Finding(file=file, what=what, remedy="correct the check", log=check.log)
 
 
 def _rejection(file: str, variant: Variant, result: ExerciseResult) -> Iterator[Finding]:
@@ -161,6 +187,8 @@ def _rejection(file: str, variant: Variant, result: ExerciseResult) -> Iterator[
             file=file, what=f"no check {variant.check}", remedy=f"name one of these: {names}"
         )
         return
+    if check.status is Status.INFRASTRUCTURE:
+        return  # said already, as a fault of the check
     if check.status not in _REJECTED:
         others = [one.name for one in result.checks if one.status in _REJECTED]
         yield Finding(

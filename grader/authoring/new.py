@@ -26,7 +26,7 @@ workbook:
     parameters: []
 ---
 
-# {id} {title}
+# Exercise {id} · {title}
 
 FILL IN: what you learn here, in two or three lines.
 
@@ -86,19 +86,22 @@ edits = [
 """
 
 
-def new_exercise(root: Path, exercise_id: str, *, title: str) -> list[Path]:
+def new_exercise(
+    root: Path, exercise_id: str, *, title: str, like: str | None = None
+) -> list[Path]:
     """Write the files of a new exercise.
 
     Args:
         root: Folder of the workbook.
         exercise_id: E.g. "3.11".
         title: Its title.
+        like: Number of the exercise that it begins as a copy of; a script that prints a line if None.
 
     Returns:
         The files that were written.
 
     Raises:
-        GraderError: The number or the title cannot be used, or the exercise is there already.
+        GraderError: The number or the title cannot be used, the exercise is there already, or the other is not.
     """
     title = " ".join(title.split())
     words = "_".join(re.findall(r"[a-z0-9]+", title.lower()))
@@ -109,7 +112,8 @@ def new_exercise(root: Path, exercise_id: str, *, title: str) -> list[Path]:
     key = exercise_key(exercise_id)
     if known := sorted((root / "solutions").glob(f"{key}_*.md")):
         raise GraderError(f"exercise {exercise_id} is there already: {known[0].name}")
-    texts = _texts(root, key, words, {"id": exercise_id, "title": title})
+    fields = {"id": exercise_id, "title": title}
+    texts = _texts(root, key, words, fields) if like is None else _copy(root, like, words, fields)
     for path in texts:
         if path.exists():
             raise GraderError(f"{path.name} is there already; nothing was written")
@@ -117,6 +121,43 @@ def new_exercise(root: Path, exercise_id: str, *, title: str) -> list[Path]:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(text.encode("utf-8"))
     return list(texts)
+
+
+def _copy(root: Path, like: str, words: str, fields: dict[str, str]) -> dict[Path, str]:
+    """The files of another exercise under the new number: it works at once, and is changed bit by bit."""
+    solutions, old = root / "solutions", exercise_key(like) if ID_PATTERN.fullmatch(like) else like
+    key = exercise_key(fields["id"])
+    source = next(iter(sorted(solutions.glob(f"{old}_*.md"))), None)
+    if source is None:
+        known = sorted(one.stem for one in solutions.glob("*.md"))
+        raise GraderError(f"no exercise {like} to begin with; there are: {', '.join(known)}")
+    others = {
+        root / "exercises" / f"test_{old}.py": root / "exercises" / f"test_{key}.py",
+        solutions / f"test_{old}_hidden.py": solutions / f"test_{key}_hidden.py",
+        solutions / f"variants_{old}.toml": solutions / f"variants_{key}.toml",
+    }
+    texts = {solutions / f"{key}_{words}.md": _renumbered(source, like, fields)}
+    for path, copy in others.items():
+        todo = f"# {FILL_IN}: what is other here than in {like}.\n"
+        texts[copy] = todo + path.read_text(encoding="utf-8").replace(
+            f"xercise {like},", f"xercise {fields['id']},"
+        )
+    return texts
+
+
+def _renumbered(source: Path, like: str, fields: dict[str, str]) -> str:
+    """The text of a source with another number and title, and a line that says what is to be done."""
+    heading = f"# Exercise {fields['id']} · {fields['title']}\n\n{FILL_IN}: what is other here than in {like}."
+    text = source.read_text(encoding="utf-8").replace(
+        f'check("{like}")', f'check("{fields["id"]}")'
+    )
+    for pattern, new in (
+        (r"^  id: .*$", f'  id: "{fields["id"]}"'),
+        (r"^  title: .*$", f"  title: {fields['title']}"),
+        (r"^# .*$", heading),
+    ):
+        text = re.sub(pattern, new, text, count=1, flags=re.MULTILINE)
+    return text
 
 
 def _texts(root: Path, key: str, words: str, fields: dict[str, str]) -> dict[Path, str]:

@@ -33,7 +33,7 @@ def verify(
         grade: Grades a submission; in the strongest sandbox that works here if None.
 
     Returns:
-        What is wrong, in the order of the exercises; nothing if all is well.
+        What is wrong with files, then with solutions, then with variants of those that pass; nothing if all is well.
 
     Raises:
         GraderError: `only` names no exercise.
@@ -96,13 +96,25 @@ def _without_grading(root: Path, source: Source) -> list[Finding]:
 
 
 def _graded(trials: list[Trial], grade: Grade, jobs: int) -> list[Finding]:
+    """The findings of all trials; variants of a solution that fails would fail with it, and are left out."""
+    firsts = [trial for trial in trials if not trial.is_variant]
+    findings, failing = _judged(firsts, grade, jobs)
+    variants = [one for one in trials if one.is_variant and one.exercise.id not in failing]
+    return findings + _judged(variants, grade, jobs)[0]
+
+
+def _judged(trials: list[Trial], grade: Grade, jobs: int) -> tuple[list[Finding], set[str]]:
+    """What is found, and the exercises whose solution it is found in."""
     with ThreadPoolExecutor(max_workers=max(jobs, 1)) as pool:
         results = list(pool.map(lambda trial: grade(trial.submission, trial.exercise), trials))
-    return [
-        finding
-        for trial, result in zip(trials, results, strict=True)
-        for finding in trial.judge(result)
-    ]
+    findings: list[Finding] = []
+    failing: set[str] = set()
+    for trial, result in zip(trials, results, strict=True):
+        found = trial.judge(result)
+        findings += found
+        if found and trial.submission.student == "solution":
+            failing.add(trial.exercise.id)
+    return findings, failing
 
 
 def _default_grade() -> Grade:
@@ -112,5 +124,5 @@ def _default_grade() -> Grade:
 
     sandbox = find_sandbox()
     return lambda submission, exercise: grade_submission(
-        submission, exercise, hidden=True, sandbox=sandbox
+        submission, exercise, hidden=True, for_author=True, sandbox=sandbox
     )

@@ -29,6 +29,8 @@ class CheckContext:
     """Takes each event at once, so that a crash loses none of those before it."""
     only_list: bool = False
     """Whether to say which checks there are, and run none."""
+    for_author: bool = False
+    """Whether results are for the author of the checks: with logs, and faults of checks undisguised."""
 
 
 CONTEXT: pytest.StashKey[CheckContext] = pytest.StashKey()

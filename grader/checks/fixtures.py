@@ -65,11 +65,14 @@ def rng(seed: int) -> random.Random:
 
 
 @pytest.fixture
-def sim(seed: int, package_path: Path, node_runtime: NodeRuntime) -> Iterator[Simulation]:
+def sim(
+    seed: int, package_path: Path, node_runtime: NodeRuntime, request: pytest.FixtureRequest
+) -> Iterator[Simulation]:
     """A fresh simulation that finds the student's package."""
     with Simulation(
         seed=seed, package_path=[str(package_path)], runtime=node_runtime, confined=True
     ) as simulation:
+        request.node.stash[WATCH].simulation = simulation
         yield simulation
 
 

@@ -2,12 +2,28 @@
 
 from __future__ import annotations
 
+from grader.checks.values import bounded
 from grader.errors import CheckFailed
 from simkit import Simulation
 from simkit.graph import LogLevel
 
 _NEAR = 3
 """The hint to an error is among so many lines behind it."""
+_MOST = 8
+"""Lines of a log that an author reads."""
+_LONGEST = 400
+"""Characters of one of them."""
+
+
+def log_of(sim: Simulation | None) -> str:
+    """The first errors and warnings of a simulation, each once, with the hints behind them, a line each."""
+    lines: dict[str, None] = {}
+    for record in [] if sim is None else sim.log:
+        is_hint = record.text.startswith("hint: ") and bool(lines)
+        if is_hint or record.level >= LogLevel.WARN:
+            text = " ".join(bounded(record.text, _LONGEST).split())
+            lines[text if is_hint else f"{record.level.name} {record.node}: {text}"] = None
+    return "\n".join(list(lines)[:_MOST])
 
 
 def with_complaint(failure: CheckFailed, sim: Simulation) -> CheckFailed:

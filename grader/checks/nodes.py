@@ -12,6 +12,7 @@ from grader.errors import CheckFailed
 from grader.exercises import Exercise
 from grader.results import Status
 from grader.submission import Submission
+from simkit import Simulation
 from simkit.graph.process import NodeFailure, Permissions
 
 _STATUSES = {"stuck": Status.TIMEOUT, "start": Status.INFRASTRUCTURE}
@@ -44,6 +45,8 @@ class NodeWatch:
     """Script name and node handle."""
     launches: list[tuple[str, Any]] = field(default_factory=list)
     """Name of a launch file and its launch, whose nodes may be started again and again."""
+    simulation: Simulation | None = None
+    """Where they run; None as long as the check has asked for none."""
 
     def trouble(self) -> Trouble | None:
         """The first node that failed or was refused something; None if all went well."""

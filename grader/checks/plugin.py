@@ -14,6 +14,7 @@ import pytest
 
 from grader.checks.context import CheckContext, context_of
 from grader.checks.fixtures import WATCH
+from grader.checks.log import log_of
 from grader.checks.marks import needed_by, points_of
 from grader.checks.nodes import NodeWatch
 from grader.checks.stage import close_stage, stage_of
@@ -79,13 +80,19 @@ def pytest_runtest_makereport(
     if call.when == "call" or (call.when == "setup" and call.excinfo is not None):
         error = call.excinfo.value if call.excinfo is not None else None
         context = context_of(item.config)
-        result = _result(item, context, verdict_of(error, item.stash[WATCH]))
+        watch = item.stash[WATCH]
+        verdict = verdict_of(error, watch, for_author=context.for_author)
+        shows_log = context.for_author and verdict.status is not Status.PASSED
+        log = log_of(watch.simulation) if shows_log else ""
+        result = _result(item, context, verdict, log=log)
         item.config.stash[_RESULTS][item.name] = result
         context.report({"event": "result", "index": item.stash[_INDEX], "result": result.to_json()})
     return report
 
 
-def _result(item: pytest.Item, context: CheckContext, verdict: Verdict) -> CheckResult:
+def _result(
+    item: pytest.Item, context: CheckContext, verdict: Verdict, *, log: str = ""
+) -> CheckResult:
     points = points_of(item)
     return CheckResult(
         name=item.name,
@@ -96,6 +103,7 @@ def _result(item: pytest.Item, context: CheckContext, verdict: Verdict) -> Check
         hidden=item.path == context.exercise.hidden_checks,
         message=_without_folder(verdict.message, context),
         hint=verdict.hint,
+        log=_without_folder(log, context),
     )
 
 

@@ -24,7 +24,9 @@ class Verdict:
     hint: str = ""
 
 
-def verdict_of(error: BaseException | None, watch: NodeWatch) -> Verdict:
+def verdict_of(
+    error: BaseException | None, watch: NodeWatch, *, for_author: bool = False
+) -> Verdict:
     """The verdict of a check that has just run.
 
     A check that passed has passed, whatever its nodes did; what they were refused is said. One
@@ -34,6 +36,7 @@ def verdict_of(error: BaseException | None, watch: NodeWatch) -> Verdict:
     Args:
         error: What the check raised; None if it returned.
         watch: The nodes that it started.
+        for_author: Whether an error of the check itself is told also where a node of the student broke down.
     """
     if error is None:
         return Verdict(status=Status.PASSED, message=bounded(watch.refusal()))
@@ -45,7 +48,7 @@ def verdict_of(error: BaseException | None, watch: NodeWatch) -> Verdict:
         error = CheckFailed(str(error), hint=str(getattr(error, "hint", "")))
     if isinstance(error, CheckFailed):
         return _failed(error, trouble, watch.early_ends())
-    if trouble is not None:
+    if trouble is not None and not for_author:
         return Verdict(status=trouble.status, message=bounded(trouble.message))
     return Verdict(status=Status.INFRASTRUCTURE, message=our_fault(error))
 

@@ -70,6 +70,7 @@ def work(data: bytes, results: int) -> None:
             folder=job.folder,
             report=report,
             only_list=job.only_list,
+            for_author=job.for_author,
         )
         run_pytest(context, job.check_files())
         report({"event": "end"})

@@ -22,6 +22,7 @@ def grade_submission(
     exercise: Exercise,
     *,
     hidden: bool,
+    for_author: bool = False,
     sandbox: Sandbox | None = None,
     launcher: Launcher | None = None,
     limits: TimeLimits | None = None,
@@ -32,6 +33,7 @@ def grade_submission(
         submission: Files and answers of a student.
         exercise: What was asked for.
         hidden: Whether the hidden checks run too.
+        for_author: Whether to say what only the author of the checks wants to know.
         sandbox: Where the student's nodes run; the strongest that works here if None.
         launcher: Starts the checker process; the quickest that works here if None.
         limits: Wall-clock limits.
@@ -45,6 +47,7 @@ def grade_submission(
             folder=Path(folder),
             hidden=hidden,
             only_list=not attempted,
+            for_author=for_author,
         )
         checker = (launcher or default_launcher()).start(job.dumps())
         outcome = supervise(checker, limits or TimeLimits())

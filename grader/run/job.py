@@ -25,6 +25,8 @@ class Job:
     """Whether the hidden checks run too."""
     only_list: bool = False
     """Whether to say which checks there are, and run none."""
+    for_author: bool = False
+    """Whether results are for the author of the checks: with logs, and faults of checks undisguised."""
 
     def check_files(self) -> list[Path]:
         """The files of checks, in the order of their results."""
@@ -40,6 +42,7 @@ class Job:
             "folder": str(self.folder),
             "hidden": self.hidden,
             "only_list": self.only_list,
+            "for_author": self.for_author,
         }
         return json.dumps(value).encode()
 
@@ -54,6 +57,7 @@ class Job:
             folder=Path(value["folder"]),
             hidden=value["hidden"],
             only_list=value["only_list"],
+            for_author=value["for_author"],
         )
 
 

@@ -11,6 +11,8 @@ from grader.errors import GraderError
 from grader.exercises import get_exercise
 from grader.results import CheckResult, ExerciseResult, Status
 
+ROOT = Path(__file__).resolve().parents[3]
+
 
 def test_a_scaffold_builds_and_verify_says_what_is_to_be_filled_in(tmp_path: Path) -> None:
     written = new_exercise(tmp_path, "3.11", title="Follow  the wall")
@@ -44,6 +46,25 @@ def test_a_scaffold_is_graded_by_its_own_checks(tmp_path: Path) -> None:
     build(tmp_path)
     findings = verify(tmp_path, jobs=2)
     assert [finding.what for finding in findings] == ["the scaffold still says FILL IN"] * 4
+
+
+def test_a_copy_of_another_exercise_works_at_once_and_says_what_waits(tmp_path: Path) -> None:
+    for pattern in ("exercises/oracles/*.py", "exercises/test_3_01.py", "solutions/*3_01*[!b]"):
+        for path in ROOT.glob(pattern):
+            copy = tmp_path / path.relative_to(ROOT)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            copy.write_bytes(path.read_bytes())
+    new_exercise(tmp_path, "3.12", title="Two turtles", like="3.1")
+    build(tmp_path)
+    assert get_exercise(tmp_path, "3.12").title == "Two turtles"
+    findings = verify(tmp_path, jobs=2, only="3.12")
+    assert [finding.what for finding in findings] == ["the scaffold still says FILL IN"] * 4
+    assert 'check("3.12")' in (tmp_path / "solutions/3_12_two_turtles.md").read_text("utf-8")
+
+
+def test_a_copy_of_nothing_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(GraderError, match=r"no exercise 3\.9 to begin with"):
+        new_exercise(tmp_path, "3.12", title="Two turtles", like="3.9")
 
 
 @pytest.mark.parametrize(

@@ -170,6 +170,49 @@ def test_a_solution_that_fails(built: Any) -> None:
     )
 
 
+def test_what_is_skipped_is_counted_and_the_log_is_shown_once_and_no_variant_is_tried(
+    built: Any,
+) -> None:
+    graded: list[str] = []
+
+    def grade(submission: Any, exercise: Any) -> ExerciseResult:
+        graded.append(submission.student)
+        result: ExerciseResult = built.grade(submission, exercise)
+        if submission.student != "solution":
+            return result
+        one, other, third = (
+            replace(check, status=Status.FAILED, points=0.0, log="ERROR") for check in result.checks
+        )
+        checks = [
+            replace(one, message="nothing came"),
+            replace(other, message="nothing came either"),
+            replace(third, status=Status.SKIPPED, message="it builds on another check"),
+        ]
+        return ExerciseResult.from_checks("3.1", checks)
+
+    assert findings(built, grade=grade) == [
+        f"{built.source}: the solution does not pass test_word (failed): nothing came; "
+        "correct the check or the solution\n    log: ERROR",
+        f"{built.source}: the solution does not pass test_answers (failed): nothing came either; "
+        "correct the check or the solution; 1 more skipped, since they build on it",
+    ]
+    assert sorted(graded) == ["solution", "solution", "stub"]
+
+
+def test_a_check_that_a_variant_breaks_has_a_fault_of_its_own(built: Any) -> None:
+    def grade(submission: Any, exercise: Any) -> ExerciseResult:
+        result: ExerciseResult = built.grade(submission, exercise)
+        if submission.answers.get("fixed_frame") != "map":
+            return result
+        fault = replace(
+            result.checks[1], status=Status.INFRASTRUCTURE, message="AttributeError: text"
+        )
+        return ExerciseResult.from_checks("3.1", [result.checks[0], fault, result.checks[2]])
+
+    found = the_one(built, grade=grade)
+    assert "'another frame' breaks test_answers: AttributeError: text; correct the check" in found
+
+
 def test_a_solution_whose_results_differ(built: Any) -> None:
     count = itertools.count()
 

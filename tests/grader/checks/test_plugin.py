@@ -99,6 +99,30 @@ def test_a_fault_in_a_check_is_ours(run_checks, code):
     assert checks["y"].status is Status.PASSED
 
 
+def test_an_author_reads_the_fault_of_a_check_though_a_node_failed_and_the_log(
+    run_checks, workbook
+):
+    checks = """
+        from simkit.graph import LogLevel
+
+        def test_x(run_node, sim):
+            node = run_node("talk.py")
+            sim.graph.log("/gazebo", LogLevel.ERROR, "the link 'eye' has no mass")
+            sim.run(1)
+            node.no_such_thing
+    """
+    broken = workbook.submission(
+        "import rospy\nrospy.init_node('talk')\nraise ValueError('mine')\n"
+    )
+    for_student = run_checks(checks, broken)["x"]
+    for_author = run_checks(checks, broken, for_author=True)["x"]
+    assert (for_student.status, for_student.log) == (Status.ERROR, "")
+    assert "mine" in for_student.message
+    assert for_author.status is Status.INFRASTRUCTURE
+    assert "AttributeError" in for_author.message
+    assert "ERROR /gazebo: the link 'eye' has no mass" in for_author.log.splitlines()
+
+
 @pytest.mark.parametrize(
     ("checks", "reason"),
     [
