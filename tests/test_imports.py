@@ -69,8 +69,9 @@ MAY_IMPORT = {
     "simkit.notebook": "simkit",
     # inside a node process: the node's side of the graph, and the pure parts
     "simkit.graph.process.child": "simkit.graph simkit.ros1",
-    "simkit.ros1": "simkit.errors simkit.msgs simkit.tf simkit.graph.process.client simkit.graph.process.node_client "
-    "simkit.graph.process.protocol simkit.graph.process.errors",
+    "simkit.ros1": "simkit.errors simkit.msgs simkit.tf simkit.tf.listener "
+    "simkit.graph.process.client simkit.graph.process.node_client simkit.graph.process.protocol "
+    "simkit.graph.process.errors",
     # the grader, from plain data up; what it may use of simkit is below
     "grader.errors": "",
     "grader.results": "grader.errors",
