@@ -50,9 +50,9 @@ class RobotFacts:
 
     @property
     def place_in_course(self) -> tuple[str, int]:
-        """Chapter and number of its exercise; robots stand in this order."""
-        chapter, number = re.findall(r"Exercise (\w+)\.(\d+)", self.purpose)[0]
-        return chapter, int(number)
+        """Chapter and number of its exercise; robots stand in this order, those without an exercise last."""
+        found = re.search(r"Exercise (\w+)\.(\d+)", self.purpose)
+        return (found[1], int(found[2])) if found else ("~", 0)
 
 
 def facts_of(path: Path, packages: PackagePath) -> RobotFacts:
@@ -63,7 +63,7 @@ def facts_of(path: Path, packages: PackagePath) -> RobotFacts:
         packages: Where its package is.
 
     Raises:
-        SystemExit: ROS refuses a part of it, so there is nothing to be proud of.
+        SystemExit: ROS refuses a part of it, so no page is written.
     """
     reading = read_robot(path.read_bytes(), file=path.name, packages=packages, folder=path.parent)
     printed, complaints, _ = check_urdf_text(reading)

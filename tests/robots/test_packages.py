@@ -9,16 +9,18 @@ import pytest
 
 from simkit.packages import PackagePath
 from simkit.xml import Element, parse_xml
+from tests.laws import broken_laws
 
-PACKAGES = ["gazebo_car", "hello_ros", "my_robot_urdf"]
-LIVES_IN = {
-    "libgazebo_ros_control.so": "gazebo_ros_control",
-    "libgazebo_ros_diff_drive.so": "gazebo_plugins",
-    "libgazebo_ros_joint_state_publisher.so": "gazebo_plugins",
-    "libgazebo_ros_laser.so": "gazebo_plugins",
-}
+ROBOTS = Path(__file__).resolve().parents[2] / "robots"
+
+PACKAGES = sorted(path.parent.name for path in ROBOTS.glob("*/package.xml"))
 NEEDED_ON_NOETIC = "joint_state_publisher_gui"
 """What the parameter use_gui stands for."""
+
+
+def home_of(plugin: str) -> str:
+    """The package of ROS that a library of Gazebo comes in."""
+    return "gazebo_ros_control" if plugin == "libgazebo_ros_control.so" else "gazebo_plugins"
 
 
 def manifest(folder: Path) -> Element:
@@ -32,20 +34,27 @@ def packages_named_in(folder: Path) -> set[str]:
     plugins = re.findall(r'filename="(\w+\.so)"', text)
     patterns = (r'pkg="(\w+)"', r"\$\(find (\w+)\)", r'type: "(\w+)/')
     named = {name for pattern in patterns for name in re.findall(pattern, text)}
-    return (named | {LIVES_IN[plugin] for plugin in plugins}) - {folder.name}
+    return (named | set(map(home_of, plugins))) - {folder.name}
 
 
 def test_every_folder_is_a_package(packages):
-    assert sorted(packages.packages()) == PACKAGES
+    folders = {path.name for path in ROBOTS.iterdir() if path.is_dir()} - {"pictures"}
+    broken_laws(
+        sorted(folders.symmetric_difference(packages.packages())),
+        "each folder in robots/ has a package.xml with the name of the folder",
+    )
 
 
 @pytest.mark.parametrize("name", PACKAGES)
 def test_a_manifest_names_what_the_files_use(robots, name):
-    told = manifest(robots / name)
-    needed = [one.text for one in told.all("exec_depend")]
-    assert [one.text for one in told.all("name")] == [name]
+    says = manifest(robots / name)
+    needed = [one.text for one in says.all("exec_depend")]
+    assert [one.text for one in says.all("name")] == [name]
     assert needed == sorted(set(needed))
-    assert set(needed) - {NEEDED_ON_NOETIC} == packages_named_in(robots / name)
+    wrong = (set(needed) - {NEEDED_ON_NOETIC}) ^ packages_named_in(robots / name)
+    broken_laws(
+        sorted(wrong), f"an <exec_depend> in {name}/package.xml for each package that is used"
+    )
 
 
 @pytest.mark.parametrize("name", PACKAGES)

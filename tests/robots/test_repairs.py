@@ -1,4 +1,4 @@
-"""What is wrong with the robots of the book is not wrong with these."""
+"""What is wrong with the robots of the book is not wrong with these; what holds for any robot asks for `urdf`."""
 
 from __future__ import annotations
 
@@ -11,9 +11,12 @@ from simkit.urdf import Box, Cylinder, load_robot
 from simkit.urdf.inertia import body_of_shapes, turned
 from simkit.urdf.kinematics import forward_kinematics
 from simkit.urdf.placed_shape import PlacedShape
+from tests.laws import broken_laws
 
 ROUNDED = 0.02
 """The book writes moments of inertia with two digits or more."""
+NEARLY = 0.002
+"""An angle that is no farther from a right one is meant to be one [rad]."""
 WHEELS = {
     "m2wr": ("joint_left_wheel", "joint_right_wheel"),
     "practice_car": ("left_wheel_joint", "right_wheel_joint"),
@@ -38,8 +41,8 @@ def drive(robot):
     raise AssertionError("no libgazebo_ros_diff_drive.so")
 
 
-def test_an_inertia_is_that_of_the_shape_filled_evenly(urdf):
-    for link in robot_of(urdf).links.values():
+def test_an_inertia_is_that_of_the_shape_filled_evenly(book_urdf):
+    for link in robot_of(book_urdf).links.values():
         if link.inertial is None:
             continue
         inertial = link.inertial
@@ -59,38 +62,41 @@ def test_an_inertia_is_that_of_the_shape_filled_evenly(urdf):
             assert ours == pytest.approx(theirs, rel=ROUNDED, abs=1e-6)
 
 
-def test_what_is_touched_is_where_it_is_seen(urdf):
-    for link in robot_of(urdf).links.values():
+def test_what_is_touched_is_where_it_is_seen(book_urdf):
+    for link in robot_of(book_urdf).links.values():
         if link.collisions:
             seen = [(visual.geometry, visual.origin) for visual in link.visuals]
             assert seen == [(touched.geometry, touched.origin) for touched in link.collisions]
 
 
-def test_a_right_angle_is_one(urdf):
+def test_an_angle_near_a_right_one_is_one(urdf):
     robot = robot_of(urdf)
     poses = [joint.origin for joint in robot.joints.values()]
     for link in robot.links.values():
         parts = [*link.visuals, *link.collisions, *([link.inertial] if link.inertial else [])]
         poses += [part.origin for part in parts]
-    angles = {abs(angle) for pose in poses for angle in pose.rpy if angle}
-    assert all(angle == pytest.approx(math.pi / 2, abs=5e-6) for angle in angles)
+    off = {angle: math.remainder(angle, math.pi / 2) for pose in poses for angle in pose.rpy}
+    broken_laws(
+        [f"rpy {angle}" for angle, error in off.items() if 5e-6 < abs(error) < NEARLY],
+        f"write pi/2 as 1.570796 in {urdf.name}, as all robots here do",
+    )
 
 
 @pytest.mark.parametrize("name", WHEELS)
 def test_each_wheel_is_on_its_side_beside_the_body_and_the_plugin_knows_where(robots, name):
     robot = car(robots, name)
-    told = drive(robot)
+    tags = drive(robot)
     left, right = (robot.joints[joint] for joint in WHEELS[name])
-    assert (told["leftJoint"], told["rightJoint"]) == WHEELS[name]
+    assert (tags["leftJoint"], tags["rightJoint"]) == WHEELS[name]
     y_left, y_right = left.origin.xyz[1], right.origin.xyz[1]
     assert y_left == -y_right
-    assert float(told["wheelSeparation"]) == pytest.approx(y_left - y_right)
+    assert float(tags["wheelSeparation"]) == pytest.approx(y_left - y_right)
     assert left.axis == right.axis == (0.0, 1.0, 0.0)
     wheel = robot.links[left.child].collisions[0].geometry
     body = robot.links[left.parent].collisions[0].geometry
     assert isinstance(wheel, Cylinder)
     assert isinstance(body, Box)
-    assert float(told["wheelDiameter"]) == pytest.approx(2 * wheel.radius)
+    assert float(tags["wheelDiameter"]) == pytest.approx(2 * wheel.radius)
     assert y_left - wheel.length / 2 > body.size[1] / 2 + 0.001
 
 
