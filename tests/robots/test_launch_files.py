@@ -8,24 +8,14 @@ import shutil
 import pytest
 
 from simkit import Simulation
+from simkit.diagnostics import Severity
 from simkit.graph import LogLevel
 from simkit.launch import evaluate
 from simkit.packages import PackagePath
+from simkit.urdf import load_robot
 from simkit.xml import parse_xml
+from tests.laws import broken_laws
 
-FRAMES = {
-    "urdf_launch_1": [],  # it loads the robot, and starts no node
-    "urdf_launch_2": ["base_link", "torso", "world"],
-    "urdf_launch_3": ["base_link", "torso", "upper_arm", "world"],
-}
-PUBLISHER = ("robot_state_publisher", "robot_state_publisher")
-SPAWNER = ("gazebo_ros", "spawn_model")
-WITH_A_WORLD = {
-    "spawn_gazebo_1": [SPAWNER],
-    "spawn_gazebo_2": [SPAWNER, ("controller_manager", "spawner"), PUBLISHER],
-    "spawn_urdf": [SPAWNER, PUBLISHER],
-    "practice_world": [],
-}
 EMPTY_WORLD = """\
 <launch>
   <arg name="world_name" default="worlds/empty.world"/>
@@ -45,25 +35,45 @@ def stand_in(robots, tmp_path):
     return PackagePath([robots, tmp_path])
 
 
-def test_every_launch_file_is_in_one_of_the_tables(launch):
-    assert (launch.stem in FRAMES) != (launch.stem in WITH_A_WORLD)
+def has_world(launch):
+    return "gazebo_ros" in launch.read_text()
 
 
-@pytest.mark.parametrize("name", FRAMES)
-def test_it_runs_and_brings_its_frames(robots, name):
+def robots_named_in(launch):
+    """The robots of the folder whose files a launch file names."""
+    text = launch.read_text()
+    return [path for path in sorted(launch.parents[2].glob("*/urdf/*.urdf")) if path.name in text]
+
+
+def models_of(plan):
+    """Names in the world of the models that a launch file spawns."""
+    spawners = [node.args.split() for node in plan.nodes if node.type == "spawn_model"]
+    return [words[words.index("-model") + 1] for words in spawners]
+
+
+def test_it_runs_and_brings_its_robot_and_its_frames(launch, robots):
     with Simulation(seed=1, package_path=[robots], screen=None) as sim:
-        launched = sim.roslaunch("hello_ros", f"{name}.launch")
+        launched = sim.roslaunch(launch)
         sim.run(1.0)
         assert (launched.failures, launched.refusals) == ([], [])
-        number = name.rpartition("_")[2]
-        urdf = robots / f"hello_ros/urdf/hello_ros_robot_{number}.urdf"
-        assert sim.params.get("/robot_description") == urdf.read_text()
-        assert sorted(sim.tf.core.frame_strings) == FRAMES[name]
-        if FRAMES[name]:
-            drawn = sim.view_frames().to_svg()
-            assert [frame for frame in FRAMES[name] if frame not in drawn] == []
-            assert sim.view_frames().warnings == ()
-            assert sim.rviz().problems == ()
+        assert [line.text for line in sim.log if line.level > LogLevel.WARN] == []
+        for urdf in robots_named_in(launch):
+            text = urdf.read_text()
+            assert sim.params.get("/robot_description") == text
+            if "/robot_state_publisher" in sim.nodes():
+                expect_frames(sim, load_robot(text, file=urdf.name))
+        if has_world(launch):
+            assert list(sim.gazebo.spawned) == ["ground_plane", *models_of(sim.launch_plan(launch))]
+            assert sim.now.to_sec() == 1.0  # a simulation that begins with a world begins at 0
+
+
+def expect_frames(sim, robot):
+    links = set(robot.links)
+    assert links <= set(sim.tf.core.frame_strings)
+    drawn = sim.view_frames()
+    assert [link for link in links if link not in drawn.to_svg()] == []
+    assert drawn.warnings == ()
+    assert sim.rviz(fixed_frame=robot.root).problems == ()
 
 
 def test_the_view_of_the_first_robot_stands_on_its_own_link(robots):
@@ -85,26 +95,6 @@ def test_sliders_move_the_arm(robots):
         assert (arm.x, arm.y, arm.z) == pytest.approx((0.1, 0.0, 0.5), abs=1e-6)
 
 
-MODELS = {
-    "spawn_gazebo_1": ["ground_plane", "hello_ros_robot"],
-    "spawn_gazebo_2": ["ground_plane", "hello_ros_robot"],
-    "spawn_urdf": ["ground_plane", "m2wr"],
-    "practice_world": ["ground_plane"],
-}
-
-
-@pytest.mark.parametrize("name", WITH_A_WORLD)
-def test_it_starts_a_world_and_brings_its_robot(robots, name):
-    (path,) = robots.glob(f"*/launch/{name}.launch")
-    with Simulation(seed=1, package_path=[robots], screen=None) as sim:
-        launched = sim.roslaunch(path)
-        sim.run(1.0)
-        assert (launched.failures, launched.refusals) == ([], [])
-        assert list(sim.gazebo.spawned) == MODELS[name]
-        assert sim.now.to_sec() == 1.0  # a simulation that begins with a world begins at 0
-        assert [line.text for line in sim.log if line.level > LogLevel.WARN] == []
-
-
 def test_a_robot_comes_into_a_world_that_runs(robots):
     with Simulation(seed=1, package_path=[robots], screen=None) as sim:
         sim.run(1.0)
@@ -116,30 +106,16 @@ def test_a_robot_comes_into_a_world_that_runs(robots):
         assert sim.now.to_sec() > 1.6e9  # it does not jump: this one began without a world
 
 
-@pytest.mark.parametrize("name", WITH_A_WORLD)
-def test_with_gazebo_ros_it_has_no_fault(robots, stand_in, name):
-    (path,) = robots.glob(f"*/launch/{name}.launch")
-    plan = evaluate(path, packages=stand_in, environment={})
-    assert (plan.warnings, plan.diagnostics) == ((), ())
-    assert [(node.package, node.type) for node in plan.nodes] == WITH_A_WORLD[name]
-    assert plan.params["/use_sim_time"] is True
-
-
-@pytest.mark.parametrize(
-    ("launch_name", "urdf_name", "model"),
-    [
-        ("spawn_gazebo_1", "hello_gazebo_robot_1", "hello_ros_robot"),
-        ("spawn_gazebo_2", "hello_gazebo_robot_2", "hello_ros_robot"),
-        ("spawn_urdf", "m2wr", "m2wr"),
-    ],
-)
-def test_it_spawns_the_robot_that_it_loads(robots, stand_in, launch_name, urdf_name, model):
-    (path,) = robots.glob(f"*/launch/{launch_name}.launch")
-    (urdf,) = robots.glob(f"*/urdf/{urdf_name}.urdf")
-    plan = evaluate(path, packages=stand_in, environment={})
-    assert plan.params["/robot_description"] == urdf.read_text()
-    assert f"-model {model}" in plan.nodes[0].args
-    assert {"-urdf", "-param"} <= set(plan.nodes[0].args.split())
+def test_with_gazebo_ros_it_has_no_fault_and_spawns_what_it_loads(launch, stand_in):
+    plan = evaluate(launch, packages=stand_in, environment={})
+    assert plan.warnings == ()
+    worse = [one for one in plan.diagnostics if one.severity is not Severity.NOTE]
+    broken_laws(worse, f"correct {launch.name}")
+    assert plan.params.get("/use_sim_time", False) is has_world(launch)
+    for node in plan.nodes:
+        if node.type == "spawn_model":
+            assert {"-urdf", "-param", "-model"} <= set(node.args.split())
+            assert "robot_description" in node.args
 
 
 def test_the_controller_is_of_a_type_that_ros_has(robots, stand_in):
@@ -147,8 +123,8 @@ def test_the_controller_is_of_a_type_that_ros_has(robots, stand_in):
     plan = evaluate(path, packages=stand_in, environment={})
     spawner = next(node for node in plan.nodes if node.type == "spawner")
     assert spawner.args == "arm_controller"
-    told = {name: value for name, value in plan.params.items() if "/arm_controller/" in name}
-    assert told == {
+    given = {name: value for name, value in plan.params.items() if "/arm_controller/" in name}
+    assert given == {
         "/arm_controller/type": "position_controllers/JointTrajectoryController",
         "/arm_controller/joints": ["hip", "shoulder"],
     }
