@@ -74,8 +74,6 @@ def test_a_robot_without_an_exercise_stands_last(root, one_robot):
     folder = one_robot.parents[3]
     new = folder / "robots/hello_ros/urdf/a_new_one.urdf"
     new.write_text(one_robot.read_text().replace("Exercise 3.6", "No exercise"))
-        "<robot name='a'><link name='base'><visual><geometry><sphere radius='0.1'/></geometry></visual></link></robot>"
-    )
     assert make_pages(folder)[1] == 0
     page = (folder / "robots/README.md").read_text(encoding="utf-8")
     assert re.findall(r"^#### (\S+)$", page, re.MULTILINE)[-1] == new.name
