@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from simkit.record import Record
-from simkit.xml.letters import NAME, NAME_START, QUOTES, WHITE, is_foreign, short, spoken
-from simkit.xml.pattern import Pattern
+from simkit.xml.letters import NAME, NAME_START, QUOTES, WHITE, Pattern, is_foreign, short, spoken
 
 _NEXT = rf"(?<![ \t])[ \t]++{NAME}[ \t]*+="
 _CUT = Pattern(rf"{_NEXT}[ \t]*+[\"']|/?>|[\n<]")

@@ -14,8 +14,7 @@ from simkit.xml.attribute_faults import (
     unquoted_value,
 )
 from simkit.xml.document import Attribute, FaultKind, Span
-from simkit.xml.letters import NAME, SPACE, WHITE, short
-from simkit.xml.pattern import Pattern
+from simkit.xml.letters import NAME, SPACE, WHITE, Pattern, short
 from simkit.xml.references import TO_SPACE, replace_in_value
 from simkit.xml.source import Source
 

@@ -1,10 +1,13 @@
-"""Which letters XML allows where, and how to speak of those that it does not.
+"""Which letters XML allows where, patterns with them, and how to speak of those that it does not.
 
 Source:
     XML 1.0, fifth edition: 2.2 (characters), 2.3 (names; without the letters that cannot be seen).
 """
 
 from __future__ import annotations
+
+import re
+from collections.abc import Iterator
 
 START = (
     ":A-Z_a-z\u00c0-\u00d6\u00d8-\u00f6\u00f8-\u02ff\u0370-\u037d\u037f-\u1fff"
@@ -72,3 +75,51 @@ def short(text: str) -> str:
     text = " ".join(text[: 4 * _LONGEST].split())
     text = "".join(letter if letter.isprintable() else "\ufffd" for letter in text)
     return text if len(text) <= _LONGEST else text[: _LONGEST - 3] + "..."
+
+
+class Pattern:
+    """A regular expression, used as a compiled one is; compiled when it is first needed, and cheaply for plain letters.
+
+    One with the names of XML in it takes milliseconds to compile, for its thousands of letters. Most files
+    have none of them, and most patterns are for faults that most files do not have.
+
+    Args:
+        pattern: The expression; may hold `NAME`, `NAME_START` and `FOREIGN_LETTERS`.
+        flags: As for `re.compile`.
+    """
+
+    __slots__ = ("_flags", "_of_any", "_of_ascii", "_pattern")
+
+    def __init__(self, pattern: str, flags: re.RegexFlag = re.NOFLAG) -> None:
+        self._pattern = pattern
+        self._flags = flags
+        self._of_ascii: re.Pattern[str] | None = None
+        self._of_any: re.Pattern[str] | None = None
+
+    def match(self, text: str, *span: int) -> re.Match[str] | None:
+        """As that of a compiled pattern."""
+        return self.of(text).match(text, *span)
+
+    def search(self, text: str, *span: int) -> re.Match[str] | None:
+        """As that of a compiled pattern."""
+        return self.of(text).search(text, *span)
+
+    def fullmatch(self, text: str, *span: int) -> re.Match[str] | None:
+        """As that of a compiled pattern."""
+        return self.of(text).fullmatch(text, *span)
+
+    def finditer(self, text: str, *span: int) -> Iterator[re.Match[str]]:
+        """As that of a compiled pattern."""
+        return self.of(text).finditer(text, *span)
+
+    def of(self, text: str) -> re.Pattern[str]:
+        """The compiled pattern for a text; who matches often keeps it."""
+        if text.isascii():
+            if self._of_ascii is None:
+                plain = self._pattern.replace(START, ASCII_START).replace(INNER, "")
+                plain = plain.replace(FOREIGN_LETTERS, FOREIGN_ASCII)
+                self._of_ascii = re.compile(plain, self._flags)
+            return self._of_ascii
+        if self._of_any is None:
+            self._of_any = re.compile(self._pattern, self._flags)
+        return self._of_any

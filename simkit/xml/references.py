@@ -6,8 +6,7 @@ import re
 from collections.abc import Iterator
 
 from simkit.xml.document import FaultKind
-from simkit.xml.letters import NAME, is_foreign, short
-from simkit.xml.pattern import Pattern
+from simkit.xml.letters import NAME, Pattern, is_foreign, short
 from simkit.xml.source import Source
 
 ENTITIES = {"lt": "<", "gt": ">", "amp": "&", "apos": "'", "quot": '"'}

@@ -5,14 +5,34 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from simkit.xml.document import FaultKind
-from simkit.xml.letters import FOREIGN_LETTERS, NAME, NAME_START, SPACE, WHITE, short, spoken
-from simkit.xml.pattern import Pattern
-from simkit.xml.prolog import read_declaration, read_doctype
+from simkit.xml.letters import (
+    FOREIGN_LETTERS,
+    NAME,
+    NAME_START,
+    SPACE,
+    WHITE,
+    Pattern,
+    short,
+    spoken,
+)
 from simkit.xml.references import replace_references
-from simkit.xml.sections import read_cdata, read_comment, read_instruction
+from simkit.xml.sections import (
+    read_cdata,
+    read_comment,
+    read_declaration,
+    read_doctype,
+    read_instruction,
+)
 from simkit.xml.source import Source
-from simkit.xml.tags import is_faulty_end_tag, read_end_tag, read_start_tag
-from simkit.xml.tokens import EndTag, StartTag, Text, Token
+from simkit.xml.tags import (
+    EndTag,
+    StartTag,
+    Text,
+    Token,
+    is_faulty_end_tag,
+    read_end_tag,
+    read_start_tag,
+)
 
 _NAME_START = Pattern(NAME_START)
 _SPACED_TAG = Pattern(rf"<{SPACE}++({NAME})(?!{SPACE}*+=)(?=[^<>]*+>)")

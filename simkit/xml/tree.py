@@ -3,20 +3,29 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Sequence
+from itertools import islice
 from typing import NamedTuple
 
 from simkit.xml.document import Element, FaultKind, Span
-from simkit.xml.end_tags import EndTagJudge
 from simkit.xml.letters import WHITE, short
-from simkit.xml.open_elements import OpenElement, OpenElements
-from simkit.xml.outlook import Outlook
+from simkit.xml.repair import (
+    OpenElement,
+    is_twin,
+    note_bare_tag,
+    repair_end_of_file,
+    repair_unclosed,
+    wrap_loose,
+)
 from simkit.xml.source import Source
-from simkit.xml.tokens import EndTag, StartTag, Text, Token
-from simkit.xml.unclosed import is_bare_twin, settle_end_of_file, settle_unclosed
+from simkit.xml.spelling import is_near
+from simkit.xml.tags import EndTag, StartTag, Text, Token
 
 MAX_DEPTH = 256
 """Elements inside of each other that are kept."""
+_FAR = 600
+"""Tokens that are looked at ahead for the next end tag."""
 _TAG = re.compile(r"<[A-Za-z_!?/\\]|<\s+\w[^<>]*>")
 
 
@@ -32,7 +41,7 @@ class Tree(NamedTuple):
 def build_tree(source: Source, tokens: Sequence[Token]) -> Tree:
     """The tree that the tokens make."""
     builder = _Builder(source, tokens)
-    builder.build(tokens)
+    builder.build()
     return Tree(roots=tuple(builder.roots), root_end=builder.root_end)
 
 
@@ -41,52 +50,48 @@ class _Builder:
         self.roots: list[Element] = []
         self.root_end: Span | None = None
         self._source = source
-        self._open = OpenElements()
-        self._outlook = Outlook(tokens)
-        self._judge = EndTagJudge(source, self._outlook, self._open)
-        self._skipped: EndTag | None = None
+        self._tokens = tokens
+        self._open: list[OpenElement] = []
+        self._names: Counter[str] = Counter()
+        self._closed_by: dict[str, StartTag | EndTag] = {}
+        self._unclosed: Counter[str] = Counter()
         self._said: set[tuple[FaultKind, bool]] = set()
 
-    @property
-    def root(self) -> Element | None:
-        """The first element outside of all others, so far."""
-        return self.roots[0] if self.roots else None
-
-    def build(self, tokens: Sequence[Token]) -> None:
-        for number, token in enumerate(tokens):
+    def build(self) -> None:
+        for number, token in enumerate(self._tokens):
             if isinstance(token, StartTag):
                 self._start(token)
             elif isinstance(token, Text):
                 self._text(token)
-            elif token is not self._skipped:
+            else:
                 self._end(number, token)
-        if len(self._open):
-            settle_end_of_file(self._source, self._outlook, self._open)
-        if self.root is None:
+        if self._open:
+            for one in self._open:
+                _keep_text(one)
+            repair_end_of_file(self._source, self._open)
+        if not self.roots:
             self._note_empty()
 
+    # -- start tags and text
+
     def _start(self, tag: StartTag) -> None:
-        parent = self._open.top
+        self._unclosed.clear()
+        parent = self._open[-1] if self._open else None
         element = None
-        end = tag.at + len(tag.name)
-        if parent is None and self.root is not None:
-            what = (
-                f"<{short(tag.name)}> stands behind the end of <{short(self.root.name)}>, the root"
-            )
-            remedy = f"Move it before </{short(self.root.name)}>: a file has one root."
-            self._once(FaultKind.SECOND_ROOT, tag.at, end, what, remedy)
+        if parent is None and self.roots:
+            self._note_second_root(tag)
         if len(self._open) >= MAX_DEPTH:
             what = f"more than {MAX_DEPTH} elements stand inside of each other; the inner ones are left out"
-            self._once(
-                FaultKind.TOO_DEEP, tag.at, end, what, "Close elements before the next ones begin."
-            )
+            remedy = "Close elements before the next ones begin."
+            self._once(FaultKind.TOO_DEEP, tag.at, tag.at + len(tag.name), what, remedy)
         elif parent is None or parent.element is not None:
             element = self._element(tag, None if parent is None else parent.element)
         if tag.is_closed:
-            self._judge.note_closed(tag)
+            self._closed_by[tag.name] = tag
             self._note_root_end(tag)
         else:
-            self._open.push(OpenElement(tag, element))
+            self._open.append(OpenElement(tag, element))
+            self._names[tag.name] += 1
 
     def _element(self, tag: StartTag, parent: Element | None) -> Element:
         element = Element(
@@ -95,26 +100,169 @@ class _Builder:
             attributes=tag.attributes,
             parent=parent,
         )
-        if parent is not None:
-            parent.children.append(element)
-        else:
-            self.roots.append(element)
+        (self.roots if parent is None else parent.children).append(element)
         return element
 
     def _text(self, text: Text) -> None:
-        top = self._open.top
         raw = self._source.text[text.at : text.end]
         first = text.at + len(raw) - len(raw.lstrip(WHITE))
-        if top is None:
+        if not self._open:
             if first < text.end and raw != "<":  # which is a fault of its own
                 what = "this text stands outside of the root element"
                 remedy = "Delete it, or write <!-- ... --> around it."
                 self._once(FaultKind.STRAY_TEXT, first, text.end, what, remedy)
-        elif top.element is not None:
+            return
+        top = self._open[-1]
+        if top.element is not None:
             top.texts.append(text)
             if top.element.text_span is None and text.value.strip(WHITE):
                 end = text.at + len(raw.rstrip(WHITE))
                 top.element.text_span = self._source.span(first, end)
+
+    # -- end tags
+
+    def _end(self, number: int, tag: EndTag) -> None:
+        is_open = self._names[tag.name] > 0
+        if not self._open:
+            self._stray(tag)
+        elif not tag.name or tag.name == self._open[-1].name:
+            self._close(tag)
+        elif is_open:
+            while self._open[-1].name != tag.name:
+                self._leave_unclosed(tag)
+            self._close(tag)
+        elif self._source.is_full:
+            return
+        elif is_near(tag.name, self._open[-1].name):
+            self._note_misspelt(tag, self._open[-1].tag)
+            self._close(tag)
+        elif len(self._open) > 1 and self._next_end(number) == self._open[-2].name:
+            self._note_mismatched(tag, self._open[-1].tag)
+            self._close(tag)
+        else:
+            self._stray(tag)
+
+    def _pop(self) -> OpenElement:
+        one = self._open.pop()
+        self._names[one.name] -= 1
+        _keep_text(one)
+        return one
+
+    def _close(self, tag: EndTag) -> None:
+        self._pop()
+        self._closed_by[tag.name] = tag
+        self._note_root_end(tag)
+
+    def _leave_unclosed(self, tag: EndTag) -> None:
+        one = self._pop()
+        outer = self._open[-1]
+        if self._source.is_full:
+            return
+        if one.name == outer.name and is_twin(one.tag.attributes, outer):
+            return  # it was to be the end tag of the outer one, which is settled next, as its twin
+        self._unclosed[one.name] += 1
+        repair_unclosed(self._source, one, tag)
+
+    def _next_end(self, number: int) -> str | None:
+        """Name of the next end tag behind token `number` of an element that is open there."""
+        depth = 0
+        for token in islice(self._tokens, number + 1, number + 1 + _FAR):
+            if isinstance(token, StartTag):
+                depth += not token.is_closed
+            elif isinstance(token, EndTag):
+                if depth == 0:
+                    return token.name
+                depth -= 1
+        return None
+
+    def _note_root_end(self, tag: StartTag | EndTag) -> None:
+        if self.root_end is None and not self._open and self.roots:
+            self.root_end = self._source.span(tag.at, tag.end)
+
+    # -- faults of end tags
+
+    def _stray(self, tag: EndTag) -> None:
+        """Note that an end tag closes nothing, unless that follows from a fault before it."""
+        if self._source.is_full or not tag.name:
+            return
+        if self._unclosed[tag.name]:
+            self._unclosed[tag.name] -= 1
+            return
+        if not self._open and (FaultKind.SECOND_ROOT, False) in self._said:
+            return
+        top = self._open[-1] if self._open else None
+        span = self._source.span(tag.at, tag.end)
+        if top is not None and note_bare_tag(self._source, top, tag.name, span):
+            return
+        is_second = self._note_stray(tag)
+        if top is not None and not is_second:
+            wrap_loose(self._source, tag, top)
+
+    def _note_stray(self, tag: EndTag) -> bool:
+        """Say that an end tag closes nothing; returns whether the same stands right before it."""
+        source, name = self._source, short(tag.name)
+        before = self._closed_by.get(tag.name)
+        what = f"</{name}> closes nothing: no <{name}> is open here"
+        remedy = f"Delete it, or write <{name}> where the element is to begin."
+        other, is_second = None, False
+        if isinstance(before, StartTag) and self._open and before.at > self._open[-1].tag.at:
+            other = source.span(before.at, before.at + len(before.name))
+            what = (
+                f"</{name}> closes nothing: <{name}/> in line {other.line} is closed by its own /"
+            )
+            remedy = f"Delete the / at the end of that tag if its element ends here, or else this </{name}>"
+        elif isinstance(before, EndTag) and not source.text[before.end : tag.at].strip(WHITE):
+            other, is_second = source.span(before.at, before.end), True
+            what = f"</{name}> stands here a second time; its element is closed already"
+            remedy = f"Delete this second </{name}>"
+        source.fault(FaultKind.STRAY_END, tag.at, tag.end, what=what, remedy=remedy, other=other)
+        return is_second
+
+    def _note_misspelt(self, tag: EndTag, start: StartTag) -> None:
+        """One of two tags is misspelt: the one whose name stands nowhere else."""
+        source = self._source
+        start_span = source.span(start.at, start.at + len(start.name))
+        end_span = source.span(tag.at, tag.end)
+        opened, closed = f"<{short(start.name)}>", f"</{short(tag.name)}>"
+        is_start_rare, is_end_rare = self._is_rare(start.name), self._is_rare(tag.name)
+        if is_start_rare and not is_end_rare:
+            what = f"{opened} is closed by {closed} in line {end_span.line}, whose name is another"
+            remedy = f"Write <{short(tag.name)}> here."
+            start_span, end_span = end_span, start_span
+        else:
+            what = (
+                f"{closed} is to close {opened} of line {start_span.line}, but its name is another"
+            )
+            remedy = f"Write </{short(start.name)}>"
+            if is_start_rare and is_end_rare:
+                remedy += f", or <{short(tag.name)}> in line {start_span.line}"
+        kind = FaultKind.MISMATCHED_TAG
+        source.fault_at(kind, end_span, what=what, remedy=remedy, other=start_span)
+
+    def _is_rare(self, name: str) -> bool:
+        """Whether a name stands in one tag only."""
+        tags = re.finditer(rf"</?{re.escape(name)}(?![-.:\w])", self._source.text)
+        return next(islice(tags, 1, None), None) is None
+
+    def _note_mismatched(self, tag: EndTag, start: StartTag) -> None:
+        source = self._source
+        line = source.line_of(start.at)
+        source.fault(
+            FaultKind.MISMATCHED_TAG,
+            tag.at,
+            tag.end,
+            what=f"</{short(tag.name)}> stands where <{short(start.name)}> of line {line} is to be closed",
+            remedy=f"Write </{short(start.name)}>",
+            other=source.span(start.at, start.at + len(start.name)),
+        )
+
+    # -- faults of the whole file
+
+    def _note_second_root(self, tag: StartTag) -> None:
+        root = short(self.roots[0].name)
+        what = f"<{short(tag.name)}> stands behind the end of <{root}>, the root"
+        remedy = f"Move it before </{root}>: a file has one root."
+        self._once(FaultKind.SECOND_ROOT, tag.at, tag.at + len(tag.name), what, remedy)
 
     def _note_empty(self) -> None:
         """Say that there is no element: of a text without tags only that, and nothing where faulty tags say why."""
@@ -127,36 +275,21 @@ class _Builder:
         if first == len(source.text):
             what, remedy, first = "the file is empty", "Save it in your editor, or write it", 0
         elif not has_tags:
-            what, remedy = (
-                "this is no XML: there is no tag in it",
-                "Look whether it is the right file",
-            )
+            what = "this is no XML: there is no tag in it"
+            remedy = "Look whether it is the right file"
         source.faults.clear()
         end = max(first + 1, source.text.find("\n", first))
         source.fault(FaultKind.EMPTY, first, end, what=what, remedy=remedy)
 
-    def _end(self, number: int, tag: EndTag) -> None:
-        verdict = self._judge.judge(number, tag)
-        self._skipped = verdict.skip or self._skipped
-        right = 1 if verdict.skip is None else 2
-        for left in range(verdict.closes - right, 0, -1):
-            one, outer = self._open.pop(), self._open.top
-            is_twin = left > 1 and outer is not None and is_bare_twin(one, outer)
-            settle_unclosed(self._source, self._outlook, one, tag, is_twin=is_twin)
-        for _ in range(min(right, verdict.closes)):
-            self._open.pop()
-            self._judge.note_closed(tag)
-        self._note_root_end(tag)
-
-    def _note_root_end(self, tag: StartTag | EndTag) -> None:
-        """Note where the root ends, if it ended just now."""
-        if self.root_end is None and not len(self._open) and self.roots:
-            self.root_end = self._source.span(tag.at, tag.end)
-
     def _once(self, kind: FaultKind, start: int, end: int, what: str, remedy: str) -> None:
         """Note a fault that needs to be said once; once before the root, and once behind it."""
-        key = (kind, self.root is None)
+        key = (kind, not self.roots)
         if key not in self._said:
             self._said.add(key)
-            other = self.root.span if kind is FaultKind.SECOND_ROOT and self.root else None
+            other = self.roots[0].span if kind is FaultKind.SECOND_ROOT else None
             self._source.fault(kind, start, end, what=what, remedy=remedy, other=other)
+
+
+def _keep_text(one: OpenElement) -> None:
+    if one.element is not None:
+        one.element.text = one.text

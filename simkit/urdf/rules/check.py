@@ -20,7 +20,7 @@ from simkit.diagnostics import Diagnostic, Find, Rule, Severity, in_order
 from simkit.diagnostics.table import in_table_order, rules_in
 from simkit.urdf.model import Mesh
 from simkit.urdf.rules.sheet import MOST_FINDS, Companion, Sheet, read_sheet
-from simkit.xml import Document, Span
+from simkit.xml import Document, FaultKind, Span
 
 if TYPE_CHECKING:
     from simkit.packages import PackagePath
@@ -96,7 +96,15 @@ def check_robot(
         The finds by place, at most 20 of a kind, and then how many more there are.
     """
     sheet = read_sheet(document, packages=packages, companions=companions, folder=folder)
-    return in_order(one for rule in rules_for(sheet) for one in _found(rule, sheet))
+    found = [one for rule in rules_for(sheet) for one in _found(rule, sheet)]
+    lost = [fault.span for fault in document.faults if fault.kind is FaultKind.STRAY_END]
+    return in_order(one for one in found if not any(_is_within(one, tag) for tag in lost))
+
+
+def _is_within(find: Diagnostic, end_tag: Span) -> bool:
+    """Whether a find is about an element of which only the end tag is there; the fault of that tag says all."""
+    column = find.span.column - end_tag.column
+    return find.span.line == end_tag.line and 0 < column < end_tag.length
 
 
 def _found(rule: Rule, sheet: Sheet) -> Iterator[Diagnostic]:

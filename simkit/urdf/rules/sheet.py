@@ -21,7 +21,6 @@ from simkit.urdf.rules.entries import (
     PluginEntry,
     TransmissionEntry,
 )
-from simkit.urdf.rules.lost_tags import with_lost_tags
 from simkit.urdf.rules.reading import (
     read_gazebo,
     read_joint,
@@ -172,7 +171,7 @@ def read_sheet(
         _mismatched=frozenset(span for one in mismatched for span in (one.span, one.other)),
         _tally=_Tally(),
     )
-    robot = with_lost_tags(document)
+    robot = document.root
     if robot is None or meant_word(robot, ("robot",)) is None:
         return empty
     xacro = tuple(one for one in robot.walk() if _is_for_xacro(one))

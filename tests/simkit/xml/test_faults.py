@@ -68,19 +68,17 @@ SLIPS = {
      "STRAY_END", 15, 3, "Delete this second </link>.", (14, 3)),
     "end of the root twice": ("</robot>\n", "</robot>\n</robot>\n",
      "STRAY_END", 21, 1, "Delete this second </robot>.", (20, 1)),
-    "end of the root too early": ('  <link name="arm"/>', '</robot>\n  <link name="arm"/>',
-     "STRAY_END", 15, 1, "Delete this </robot>.", None),
     "end tag after a closed tag": ('<mass value="1"/>', '<mass value="1"/></mass>',
      "STRAY_END", 11, 24, "Delete the /", (11, 8)),
     "end tag misspelt": ("</visual>", "</visul>", "MISMATCHED_TAG", 9, 5, "Write </visual>", (4, 6)),
     "end tag in capitals": ("</visual>", "</Visual>", "MISMATCHED_TAG", 9, 5, "Write </visual>", (4, 6)),
     "end tag of another element": ("</visual>", "</collision>", "MISMATCHED_TAG", 9, 5, "Write </visual>.", (4, 6)),
     "end tags in the wrong order": ("      </geometry>\n    </visual>\n", "      </visual>\n    </geometry>\n",
-     "MISMATCHED_TAG", 8, 7, "Write </geometry> first", (6, 8)),
+     "UNCLOSED", 6, 8, "Write </geometry> before </visual> in line 8.", (8, 7)),
     "start tag instead of an end tag": ("</visual>", "<visual>",
-     "MALFORMED_TAG", 9, 6, "Write </visual> instead.", (4, 6)),
+     "DOUBLED_TAG", 9, 6, "Write </visual> instead if", (4, 6)),
     "closed tag instead of an end tag": ("</visual>", "<visual/>",
-     "MALFORMED_TAG", 9, 6, "Write </visual> instead.", (4, 6)),
+     "DOUBLED_TAG", 9, 6, "Write </visual> instead if", (4, 6)),
     "start tag without <": ("<visual>", "visual>", "MALFORMED_TAG", 4, 5, "Write <visual>.", (9, 5)),
     "end tag without <": ("</visual>", "/visual>", "MALFORMED_TAG", 9, 5, "Write </visual>.", (4, 6)),
     "end tag without </": ("</visual>", "visual>", "MALFORMED_TAG", 9, 5, "Write </visual>.", (4, 6)),
@@ -242,6 +240,12 @@ def test_a_bracket_that_ends_a_tag_too_early():
     text = '<launch>\n<rosparam file="a.yaml">\n  command="load"/>\n</launch>'
     (fault,) = read(text).faults
     assert (fault.span, fault.remedy) == (Span(2, 24, 1), "Delete this >.")
+
+
+def test_the_end_of_the_root_too_early():
+    (fault,) = read(slip('  <link name="arm"/>', '</robot>\n  <link name="arm"/>')).faults
+    assert (fault.kind, fault.span) == (FaultKind.SECOND_ROOT, Span(16, 4, 4))
+    assert fault.remedy == "Move it before </robot>: a file has one root."
 
 
 def test_a_missing_quotation_mark_does_not_reach_to_the_end_of_the_file():

@@ -3,8 +3,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from simkit.xml.letters import FOREIGN_LETTERS, NAME, NAME_START, SPACE
-from simkit.xml.pattern import Pattern
+from simkit.xml.letters import FOREIGN_LETTERS, NAME, NAME_START, SPACE, Pattern
 
 PATTERNS = [Pattern(one) for one in (NAME, NAME_START, FOREIGN_LETTERS, rf"<{SPACE}*+({NAME})?")]
 
