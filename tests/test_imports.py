@@ -54,13 +54,11 @@ MAY_IMPORT = {
     "simkit.xacro": "simkit.errors simkit.packages",
     "simkit.new_package": "simkit.errors simkit.msgs simkit.nodes simkit.packages",
     "simkit.simulation": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tf.listener simkit.nodes simkit.packages "
-    "simkit.tools simkit.gazebo simkit.launch simkit.physics simkit.urdf simkit.viz simkit.viz.world "
+    "simkit.tools simkit.gazebo simkit.launch simkit.physics simkit.urdf simkit.viz "
     "simkit.nodes.joint_state_publisher simkit.nodes.rviz simkit.nodes.gzclient",
     # pictures of what is known; a simulation hands them out, lazily
     "simkit.viz": "simkit.errors simkit.saving simkit.msgs simkit.graph simkit.tf simkit.diagnostics simkit.tools "
-    "simkit.nodes simkit.nodes.joint_state_publisher simkit.packages simkit.urdf",
-    "simkit.viz.world": "simkit.errors simkit.saving simkit.msgs simkit.graph simkit.tf simkit.packages simkit.physics "
-    "simkit.urdf simkit.urdf.rules simkit.viz simkit.xml",
+    "simkit.nodes simkit.nodes.joint_state_publisher simkit.packages simkit.physics simkit.urdf simkit.urdf.rules simkit.xml",
     # on top: a simulation on the clock of the wall, and the command line
     "simkit.live": "simkit.errors simkit.launch simkit.msgs simkit.graph simkit.tf simkit.nodes "
     "simkit.launch simkit.nodes.joint_state_publisher simkit.packages "
@@ -118,7 +116,7 @@ LIBRARIES = {
     "transformations": ("simkit.tf.transformations", ""),
     "yaml": (
         "simkit.graph.names simkit.tools",
-        "simkit.msgs.strify simkit.launch simkit.urdf.rules simkit.viz.rviz_config",
+        "simkit.msgs.strify simkit.launch simkit.urdf.rules simkit.viz.stage.rviz_config",
     ),
     "matplotlib": ("simkit.viz", ""),
     "PIL": ("simkit.viz.draw.pixels", ""),
@@ -126,7 +124,7 @@ LIBRARIES = {
     "meshcat": ("simkit.viz", ""),
     "trimesh": ("", "simkit.urdf.mesh_file"),
     "xacro": ("", "simkit.xacro.child"),
-    "tornado": ("simkit.viz.live_server", ""),
+    "tornado": ("simkit.viz.page.live_server", ""),
     "ipywidgets": ("", "simkit.viz"),
     "rosbags": ("", "simkit.msgs.generate"),
     "pytest": ("grader.checks grader.run.checker", ""),
@@ -162,7 +160,7 @@ CLOCKS_AND_CHANCE = {
     },
     "secrets": {
         "simkit.live.host": "makes the password of a live simulation",
-        "simkit.viz.live_server": "makes the password of a live view",
+        "simkit.viz.page.live_server": "makes the password of a live view",
     },
     "uuid": {},
 }

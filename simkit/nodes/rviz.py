@@ -16,7 +16,7 @@ from simkit.tools import UsageError
 from simkit.tools.program import Program
 
 if TYPE_CHECKING:
-    from simkit.viz.rviz_settings import RvizSettings
+    from simkit.viz.stage.rviz_settings import RvizSettings
 
 USAGE: Final = "usage: rviz [-d FILE.rviz] [-f FIXED_FRAME]"
 
@@ -46,7 +46,7 @@ class RvizProgram(Program):
         Args:
             packages: Says whether the configuration may be read: it may be that of somebody's launch file.
         """
-        from simkit.viz.rviz_settings import RvizSettings
+        from simkit.viz.stage.rviz_settings import RvizSettings
 
         try:
             found = self._configured(packages)
@@ -59,8 +59,8 @@ class RvizProgram(Program):
         self._print(f"RViz is at {url} (open it in a browser; Ctrl-C ends it)\n")
 
     def _configured(self, packages: PackagePath) -> RvizSettings:
-        from simkit.viz.rviz_config import read_config
-        from simkit.viz.rviz_settings import RvizSettings
+        from simkit.viz.stage.rviz_config import read_config
+        from simkit.viz.stage.rviz_settings import RvizSettings
 
         if self._file is None:
             return RvizSettings(fixed_frame="")

@@ -13,8 +13,7 @@ from simkit.simulation.world_window import world_to_see
 if TYPE_CHECKING:
     from simkit.physics import Model
     from simkit.simulation.simulation import Simulation
-    from simkit.viz import ModelRecording
-    from simkit.viz.world import WorldTape
+    from simkit.viz import ModelRecording, WorldTape
 
 
 class Recorder:
@@ -74,7 +73,7 @@ class Recorder:
         Raises:
             SimkitError: There is no world, or the rate makes no sense.
         """
-        from simkit.viz.world import WorldTape
+        from simkit.viz import WorldTape
 
         gazebo = world_to_see(self._sim)
         return WorldTape(gazebo, gazebo.node, rate=rate)

@@ -18,15 +18,16 @@ if TYPE_CHECKING:
     from simkit.viz import (
         FramesPicture,
         LiveRviz,
+        LiveWorld,
         RvizEars,
         RvizReplay,
         RvizSettings,
         RvizView,
         SceneSource,
         TurtlesimView,
+        WorldView,
     )
     from simkit.viz.turtlesim.page import LiveTurtlesim
-    from simkit.viz.world import LiveWorld, WorldView
 
 
 class View:

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from simkit.gazebo import Gazebo
     from simkit.graph.recording import Recording
     from simkit.simulation.simulation import Simulation
-    from simkit.viz.world import LiveWorld, WorldReplay, WorldSettings, WorldTape, WorldView
+    from simkit.viz import LiveWorld, WorldReplay, WorldSettings, WorldTape, WorldView
 
 
 class WorldWindow:
@@ -63,7 +63,7 @@ class WorldWindow:
         Raises:
             SimkitError: There is no world, or no model of that name.
         """
-        from simkit.viz.world import WorldSettings, WorldSource, WorldView
+        from simkit.viz import WorldSettings, WorldSource, WorldView
 
         settings = WorldSettings(
             models=models,
@@ -117,7 +117,7 @@ class WorldWindow:
         Raises:
             UnknownNameError: There was no such link, or no model of that name.
         """
-        from simkit.viz.world import WorldReplay, WorldSettings
+        from simkit.viz import WorldReplay, WorldSettings
 
         settings = WorldSettings(
             collisions=collisions,
@@ -139,7 +139,7 @@ class WorldWindow:
         Raises:
             SimkitError: There is no world.
         """
-        from simkit.viz.world import WorldSettings, WorldSource, WorldView
+        from simkit.viz import WorldSettings, WorldSource, WorldView
 
         return WorldView(WorldSource(world_to_see(self._sim), WorldSettings()).scene())
 
@@ -158,7 +158,7 @@ class WorldWindow:
         Raises:
             SimkitError: There is no world.
         """
-        from simkit.viz.world import LiveWorld, WorldSettings, WorldSource
+        from simkit.viz import LiveWorld, WorldSettings, WorldSource
 
         gazebo = world_to_see(self._sim)
         source = WorldSource(gazebo, settings or WorldSettings(), is_live=True)

@@ -1,11 +1,10 @@
-"""Seeing: the RViz of this kit, its view_frames, time series, and a window of turtles.
+"""Seeing: the RViz of this kit, the window of Gazebo, view_frames, time series, and a window of turtles.
 
 Every picture is made once and does not change afterwards, but for those that are called live; it
-shows itself in a notebook and is saved by `save("name.svg")`, or `.png`, or `.html`. What a picture
-shows (a `scene`, a forest of `trees`) lies apart from how it is drawn: `draw` has what both SVG and PNG
-are made of, and a `scene` is drawn by three.js in a browser
-(`rviz_page`) and by `scene_raster` without one. Below it lie `topics` (displays of messages), `plots` (figures of
-recordings), `trees`, `turtlesim`, `by_hand` (widgets that move robots).
+shows itself in a notebook and is saved by `save("name.svg")`, or `.png`, or `.html`. In 2D, `draw` has what both
+SVG and PNG are made of; `trees`, `plots` and `turtlesim` are drawn with it. In 3D, `stage` has the scene, `page`
+shows it in a browser and `still` without one; `view`, `live` and `replay` hand it to people. `by_hand` has widgets
+that move robots.
 """
 
 from __future__ import annotations
@@ -18,23 +17,24 @@ if TYPE_CHECKING:
     from simkit.viz.by_hand.teleop_pad import TeleopPad
     from simkit.viz.by_hand.trajectory_sliders import TrajectorySliders
     from simkit.viz.joint_sliders import JointSliders
-    from simkit.viz.live_rviz import LiveRviz
+    from simkit.viz.live import LiveRviz, LiveWorld
     from simkit.viz.live_view import LiveView
     from simkit.viz.plots.joints import JointPlot, TrackingPlot
     from simkit.viz.plots.model_recording import ModelRecording
     from simkit.viz.plots.paths import PathPlot
     from simkit.viz.plots.transforms import TransformPlot, TransformSeries, transform_series
-    from simkit.viz.robot_description import robot_displays
-    from simkit.viz.rviz_replay import RvizReplay
-    from simkit.viz.rviz_settings import RvizSettings
-    from simkit.viz.rviz_view import RvizView
-    from simkit.viz.scene_source import SceneSource
-    from simkit.viz.topics.displays import display_of, displays_of
-    from simkit.viz.topics.ears import RvizEars
+    from simkit.viz.replay import RvizReplay, WorldReplay
+    from simkit.viz.stage.rviz_settings import RvizSettings, display_of, displays_of, robot_displays
+    from simkit.viz.stage.rviz_source import SceneSource
+    from simkit.viz.stage.topic_listener import RvizEars
+    from simkit.viz.stage.world_scene import WorldSettings
+    from simkit.viz.stage.world_source import WorldSource
     from simkit.viz.trees.frames import FramesPicture
     from simkit.viz.trees.robot import RobotTree
     from simkit.viz.turtlesim.replay import TurtleReplay
     from simkit.viz.turtlesim.view import TurtlesimView
+    from simkit.viz.view import RvizView, WorldView
+    from simkit.viz.world_recording import WorldTape
 
 __all__ = [
     "FramesPicture",
@@ -42,6 +42,7 @@ __all__ = [
     "JointSliders",
     "LiveRviz",
     "LiveView",
+    "LiveWorld",
     "ModelRecording",
     "PathPlot",
     "RobotTree",
@@ -57,6 +58,11 @@ __all__ = [
     "TransformSeries",
     "TurtleReplay",
     "TurtlesimView",
+    "WorldReplay",
+    "WorldSettings",
+    "WorldSource",
+    "WorldTape",
+    "WorldView",
     "controlled_joints",
     "display_of",
     "displays_of",
@@ -68,16 +74,17 @@ _HOMES = {
     "FramesPicture": "trees.frames",
     "JointPlot": "plots.joints",
     "JointSliders": "joint_sliders",
-    "LiveRviz": "live_rviz",
+    "LiveRviz": "live",
     "LiveView": "live_view",
+    "LiveWorld": "live",
     "ModelRecording": "plots.model_recording",
     "PathPlot": "plots.paths",
     "RobotTree": "trees.robot",
-    "RvizEars": "topics.ears",
-    "RvizReplay": "rviz_replay",
-    "RvizSettings": "rviz_settings",
-    "RvizView": "rviz_view",
-    "SceneSource": "scene_source",
+    "RvizEars": "stage.topic_listener",
+    "RvizReplay": "replay",
+    "RvizSettings": "stage.rviz_settings",
+    "RvizView": "view",
+    "SceneSource": "stage.rviz_source",
     "TeleopPad": "by_hand.teleop_pad",
     "TrackingPlot": "plots.joints",
     "TrajectorySliders": "by_hand.trajectory_sliders",
@@ -85,10 +92,15 @@ _HOMES = {
     "TransformSeries": "plots.transforms",
     "TurtleReplay": "turtlesim.replay",
     "TurtlesimView": "turtlesim.view",
+    "WorldReplay": "replay",
+    "WorldSettings": "stage.world_scene",
+    "WorldSource": "stage.world_source",
+    "WorldTape": "world_recording",
+    "WorldView": "view",
     "controlled_joints": "by_hand.controlled_joints",
-    "display_of": "topics.displays",
-    "displays_of": "topics.displays",
-    "robot_displays": "robot_description",
+    "display_of": "stage.rviz_settings",
+    "displays_of": "stage.rviz_settings",
+    "robot_displays": "stage.rviz_settings",
     "transform_series": "plots.transforms",
 }
 

@@ -11,12 +11,12 @@ from simkit.geometry import Vector
 from simkit.tf import Buffer
 from simkit.viz.draw.thinning import Row, thinned
 from simkit.viz.plots.recorded import RecordedTopics
-from simkit.viz.robot_solids import RobotShapes
-from simkit.viz.rviz_settings import RvizSettings
-from simkit.viz.scene import Scene, corners, make_scene
-from simkit.viz.stage import AXIS_SHARE, AXIS_SHARE_OF_ROBOT, stage_for
-from simkit.viz.tf_scene import FramePose, tf_scene
-from simkit.viz.topics.topic_tape import TopicTape, TopicTrack
+from simkit.viz.stage.camera import AXIS_SHARE, AXIS_SHARE_OF_ROBOT, stage_for
+from simkit.viz.stage.frames import FramePose, tf_scene
+from simkit.viz.stage.robot import RobotShapes
+from simkit.viz.stage.rviz_settings import RvizSettings
+from simkit.viz.stage.scene import Scene, corners, make_scene
+from simkit.viz.tape import TopicTape, TopicTrack
 
 STEP_NS: Final = 33_000_000
 """The view is looked at no oftener than this [ns]."""

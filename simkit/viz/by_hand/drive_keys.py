@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import enum
 
-from simkit.viz.page import escaped
+from simkit.viz.page.html import escaped
 
 
 class DriveKey(enum.Enum):

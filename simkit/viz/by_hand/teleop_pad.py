@@ -12,7 +12,7 @@ from simkit.viz.by_hand.drive_keys import PAD_CLASS, DriveKey, button_class, key
 from simkit.viz.by_hand.notebook_widgets import BOX, NotebookWidgets, ipywidgets_for
 from simkit.viz.kernel_loop import KernelLoop, Later
 from simkit.viz.live_view import SvgPicture
-from simkit.viz.page import escaped
+from simkit.viz.page.html import escaped
 
 TYPE = "geometry_msgs/Twist"
 """Type of the messages."""

@@ -10,11 +10,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from simkit.nodes.turtlesim import Frame
-from simkit.viz.page import html_page
+from simkit.viz.page.html import html_page
 from simkit.viz.turtlesim.picture import Picture
 
 if TYPE_CHECKING:
-    from simkit.viz.live_server import LiveServer
+    from simkit.viz.page.live_server import LiveServer
 
 _LEAST_PAUSE: Final = 0.05
 "At most so often is a picture drawn [s of wall-clock time]."
@@ -57,7 +57,7 @@ class LiveTurtlesim:
         is_over: Callable[[], bool] = lambda: False,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
-        from simkit.viz.live_server import LiveServer
+        from simkit.viz.page.live_server import LiveServer
 
         self._frame = frame
         self._is_over = is_over

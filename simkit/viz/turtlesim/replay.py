@@ -15,7 +15,7 @@ from simkit.saving import save_as
 from simkit.viz.draw.letters import shortened
 from simkit.viz.draw.svg import number, placed, svg_element
 from simkit.viz.draw.thinning import Row
-from simkit.viz.page import escaped, html_page, inline_frame
+from simkit.viz.page.html import escaped, html_page, inline_frame
 from simkit.viz.tape_controls import tape_controls
 from simkit.viz.turtlesim.picture import turtle_shapes
 from simkit.viz.turtlesim.tape import Motion, Trail, TurtleTape, turtle_tape

@@ -10,7 +10,7 @@ import pytest
 from simkit import Simulation
 from simkit.errors import SimkitError
 from simkit.nodes.gzclient import HINT
-from simkit.viz.world import LiveWorld, WorldReplay, WorldSettings, WorldView
+from simkit.viz import LiveWorld, WorldReplay, WorldSettings, WorldView
 
 CAR = Path(__file__).resolve().parents[3] / "robots/gazebo_car/urdf/practice_car.urdf"
 

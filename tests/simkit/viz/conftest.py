@@ -24,7 +24,7 @@ from simkit.tf import Buffer
 from simkit.tf.transformations import quaternion_from_euler
 from simkit.urdf import load_robot
 from simkit.viz.by_hand import notebook_widgets, saved_still
-from simkit.viz.robot_solids import RobotShapes, robot_shapes
+from simkit.viz.stage.robot import RobotShapes, robot_shapes
 
 START = 1_600_088_400
 BROWSER = next(

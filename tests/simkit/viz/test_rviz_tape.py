@@ -8,8 +8,8 @@ import pytest
 from simkit.msgs import Time, message_class
 from simkit.tf.transformations import quaternion_from_euler
 from simkit.viz import RvizSettings
-from simkit.viz.camera import on_paper
 from simkit.viz.rviz_tape import rviz_tape
+from simkit.viz.stage.camera import on_paper
 
 START = 1_600_088_400
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from simkit.viz import RvizView
-from simkit.viz.page import inline_frame
-from simkit.viz.scene import make_scene
+from simkit.viz.page.html import inline_frame
+from simkit.viz.stage.scene import make_scene
 
 pytestmark = pytest.mark.slow
 
