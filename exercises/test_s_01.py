@@ -1,4 +1,4 @@
-"""Exercise S.1, public checks: a robot with two wheels and a laser that does what it is told."""
+"""Exercise S.1, public checks: a robot with two wheels and a laser that does what it is commanded."""
 
 import math
 
@@ -161,7 +161,7 @@ def test_left_is_left(sim, robot):
     moved = robot.drive(0.0, 0.6, settle=0.5, seconds=1.0)
     expect(
         moved.heading > 0,
-        f"told to turn at +0.6 rad/s, which is to the left, it turns at {moved.heading:.2f} rad/s",
+        f"commanded to turn at +0.6 rad/s, which is to the left, it turns at {moved.heading:.2f} rad/s",
         hint="Left is where y is greater. Which joint is <leftJoint>, and where is its origin?",
     )
     drags = robot.drag(*WHEELS)

@@ -314,7 +314,7 @@ def test_it_drives_straight(sim, spawn):
         way,
         (0.4, 0.0, 0.0),
         tolerance=0.02,
-        what="the velocity of the car, told to drive at 0.4 m/s,",
+        what="the velocity of the car, commanded to drive at 0.4 m/s,",
         unit="m/s",
         frame="the world",
         hint="Backwards: look at the axes of the wheels. Too fast or too slow: "

@@ -120,7 +120,7 @@ def _reason(outcome: Outcome) -> str:
     if outcome.transcript.broken:
         what = f"the checks cannot run: {outcome.transcript.broken}"
     elif outcome.fault:
-        what = f"the checker process told something impossible: {outcome.fault}"
+        what = f"the checker process sent something impossible: {outcome.fault}"
     else:
         what = f"the checker process ended early (exit code {outcome.exit_code})"
     last = outcome.output.strip().splitlines()[-1:]
