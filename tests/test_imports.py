@@ -29,7 +29,8 @@ MAY_IMPORT = {
     "simkit.tf": "simkit.errors simkit.msgs",
     "simkit.xml": "simkit.record",
     "simkit.diagnostics": "simkit.errors simkit.xml",
-    "simkit.urdf": "simkit.errors simkit.record simkit.xml simkit.diagnostics simkit.packages simkit.tf",
+    "simkit.urdf": "simkit.errors simkit.record simkit.xml simkit.diagnostics simkit.packages simkit.tf "
+    "simkit.plugins.tags simkit.plugins.registry",
     # the graph, and what lives on it
     "simkit.graph": "simkit.errors simkit.msgs simkit.graph.process.child",
     "simkit.tf.broadcaster": "simkit.msgs simkit.tf simkit.graph",
@@ -44,10 +45,13 @@ MAY_IMPORT = {
     "simkit.nodes.joint_state_publisher": "simkit.errors simkit.msgs simkit.graph simkit.tools "
     "simkit.xml",
     "simkit.physics": "simkit.errors simkit.xml simkit.diagnostics simkit.urdf simkit.packages simkit.tf",
-    "simkit.plugins": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.urdf "
-    "simkit.physics",
+    # what the tags of plugins may say: pure, so that check_urdf and the plugins' parser share it
+    "simkit.plugins.tags": "",
+    "simkit.plugins.registry": "simkit.plugins simkit.plugins.tags",
+    "simkit.plugins": "simkit.plugins.tags simkit.plugins.registry simkit.errors simkit.msgs simkit.graph "
+    "simkit.tf simkit.xml simkit.urdf simkit.physics",
     "simkit.gazebo": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
-    "simkit.urdf simkit.urdf.rules simkit.packages simkit.tools simkit.physics simkit.plugins",
+    "simkit.urdf simkit.urdf.rules simkit.packages simkit.tools simkit.physics simkit.plugins simkit.plugins.tags",
     "simkit.launch": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
     "simkit.urdf simkit.urdf.rules simkit.packages simkit.nodes simkit.tools simkit.xacro",
     "simkit.packages": "simkit.errors simkit.record",

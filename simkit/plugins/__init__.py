@@ -1,12 +1,32 @@
 """The plugins of gazebo_ros: what makes a robot in a world drive, see, feel and obey.
 
-Read it in this order: `plugin` (what a plugin is), `site` (what it is given), `parameters` (what its
-tag says), `registry` (which there are); then one file, or one package, a plugin.
+Read it in this order: `plugin` (what a plugin is), `site` (what it is given), `tags` (what its tag may say), `registry` (which
+there are); then one file, or one package, a plugin. Nothing is loaded before it is used.
 """
 
-from simkit.plugins.errors import PluginError
-from simkit.plugins.plugin import Plugin
-from simkit.plugins.registry import PluginEntry, plugins
-from simkit.plugins.site import Site
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from simkit.plugins.errors import PluginError
+    from simkit.plugins.plugin import Plugin
+    from simkit.plugins.registry import PluginEntry, plugins
+    from simkit.plugins.site import Site
+
+_HOMES = {
+    "Plugin": "plugin",
+    "PluginEntry": "registry",
+    "PluginError": "errors",
+    "Site": "site",
+    "plugins": "registry",
+}
 
 __all__ = ["Plugin", "PluginEntry", "PluginError", "Site", "plugins"]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"{__name__}.{_HOMES[name]}"), name)

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any
 
 from simkit.errors import near_names
@@ -15,23 +14,16 @@ from simkit.geometry import Vector
 from simkit.msgs import Time, message_class
 from simkit.physics import Contact, Side
 from simkit.plugins.naming import resolve_frame, tf_prefix
-from simkit.plugins.parameters import place, tag
+from simkit.plugins.parameters import place
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.sensor_rate import SensorRate
 from simkit.plugins.sensor_tag import SensorTag, read_sensor, warn_of_strangers
 from simkit.plugins.site import Site
 from simkit.plugins.tag_texts import topic_at_root
+from simkit.plugins.tags import BumperParameters
 
 MOST_STEPS = 100
 """Contacts of so many steps are kept until the sensor is due; older ones are dropped."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class BumperParameters:
-    """What the tag says."""
-
-    topic: str = tag("bumperTopicName", "bumper_states", "Topic of the contacts.")
-    frame: str = tag("frameName", "world", "Frame in the header; all is told in that of the world.")
 
 
 class Bumper(Plugin[BumperParameters]):

@@ -5,7 +5,6 @@ Source: gazebo_ros_diff_drive of ROS Melodic and Noetic; gazebo_ros_utils for wh
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from simkit.plugins.acceleration import SpeedRamp
@@ -18,49 +17,15 @@ from simkit.plugins.odometry import (
     planar_covariance,
     world_motion,
 )
-from simkit.plugins.parameters import tag
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.rate import UpdateRate
 from simkit.plugins.site import Site
+from simkit.plugins.tags import DiffDriveParameters
 from simkit.plugins.wheel_reports import WheelStates, WheelTransforms
 from simkit.plugins.wheels import TwistEar, Wheel
 
 COVARIANCES = Covariances(pose=planar_covariance(1e-5, 1e-5, 1e-3), twist=[0.0] * 36)
 """What odometry says of its errors, whatever they are."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class DiffDriveParameters:
-    """What the tag says, in the order in which what is missing is reported."""
-
-    command_topic: str = tag("commandTopic", "cmd_vel", "Topic of the commands.")
-    odometry_topic: str = tag("odometryTopic", "odom", "Topic of the odometry.")
-    odometry_frame: str = tag("odometryFrame", "odom", "Frame that odometry is measured in.")
-    robot_base_frame: str = tag("robotBaseFrame", "base_footprint", "Frame of the robot.")
-    publish_wheel_tf: bool = tag("publishWheelTF", False, "Whether the wheels are on /tf.")
-    publish_odom_tf: bool = tag("publishOdomTF", True, "Whether the robot is on /tf.")
-    publish_wheel_joint_state: bool = tag(
-        "publishWheelJointState", False, "Whether the wheels are on joint_states."
-    )
-    wheel_separation: float = tag(
-        "wheelSeparation", 0.34, "Distance between the wheels [m].", above=0.0
-    )
-    wheel_diameter: float = tag("wheelDiameter", 0.15, "Diameter of a wheel [m].", above=0.0)
-    wheel_acceleration: float = tag(
-        "wheelAcceleration", 0.0, "Acceleration of a rim; 0: at once [m/s^2].", at_least=0.0
-    )
-    wheel_torque: float = tag("wheelTorque", 5.0, "Largest torque of a motor [N m].", above=0.0)
-    update_rate: float = tag(
-        "updateRate", 100.0, "How often it reports and obeys; 0: each step [Hz].", at_least=0.0
-    )
-    odometry_source: str = tag(
-        "odometrySource", "world", "`world`: the truth; `encoder`: what the wheels rolled."
-    )
-    left_joint: str = tag("leftJoint", "left_joint", "Joint of the wheel on the left.")
-    right_joint: str = tag("rightJoint", "right_joint", "Joint of the wheel on the right.")
-    publish_tf: bool = tag(
-        "publishTf", True, "Whether there is odometry: its topic, and the robot on /tf."
-    )
 
 
 class DiffDrive(Plugin[DiffDriveParameters]):

@@ -9,7 +9,6 @@ Source: gazebo_ros_imu of Melodic and Noetic; gazebo_ros_pkgs 468 on the missing
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,29 +18,11 @@ from simkit.msgs import message_class, service_class
 from simkit.plugins.errors import PluginError
 from simkit.plugins.imu_message import imu_message
 from simkit.plugins.noise import generator
-from simkit.plugins.parameters import place, tag
+from simkit.plugins.parameters import place
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.site import Site
 from simkit.plugins.tag_texts import read_triple, read_turn, topic_at_root
-
-DEFAULT = "/default_imu"
-"""Topic and service if none is given."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ImuParameters:
-    """What the tag says."""
-
-    body: str = tag("bodyName", "", "Link that it is on.", required=True)
-    topic: str = tag("topicName", DEFAULT, "Topic of the messages; empty: none.")
-    service: str = tag("serviceName", DEFAULT, "Service that calibrates it, which does nothing.")
-    frame: str = tag("frameName", "", "Frame of the messages; the link if it is not given.")
-    rate: float = tag(
-        "updateRate", 0.0, "Messages per second; 0: one each step [Hz].", at_least=0.0
-    )
-    noise: float = tag("gaussianNoise", 0.0, "Standard deviation of each value.", at_least=0.0)
-    xyz: str = tag("xyzOffset", "0 0 0", "Where it is on the link [m]; it has no effect.")
-    rpy: str = tag("rpyOffset", "0 0 0", "How it is turned on the link [rad].")
+from simkit.plugins.tags import ImuParameters
 
 
 class Imu(Plugin[ImuParameters]):

@@ -6,7 +6,6 @@ that is not in the origin of its link with the wrong sign; here it has the sign 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -17,27 +16,12 @@ from simkit.plugins.imu_message import imu_message
 from simkit.plugins.imu_tag import AxisNoise
 from simkit.plugins.naming import topic_of
 from simkit.plugins.noise import generator
-from simkit.plugins.parameters import tag
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.sensor_rate import SensorRate
 from simkit.plugins.sensor_tag import read_sensor, sensor_pose
 from simkit.plugins.site import Site
 from simkit.plugins.tag_texts import read_triple, read_turn
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ImuSensorParameters:
-    """What the tag says."""
-
-    frame: str = tag("frameName", "", "Frame of the messages, the link of the IMU.", required=True)
-    topic: str = tag("topicName", "imu_data", "Topic of the messages.")
-    rate: float = tag("updateRateHZ", 1.0, "Messages per second; 0: all that are measured [Hz].", at_least=0.0)  # fmt: skip
-    noise: float = tag("gaussianNoise", 0.0, "Standard deviation of each value.", at_least=0.0)
-    xyz: str = tag("xyzOffset", "0 0 0", "Where it is in the sensor [m]; it has no effect.")
-    rpy: str = tag("rpyOffset", "0 0 0", "How its orientation is turned [rad].")
-    from_start: bool = tag(
-        "initialOrientationAsReference", False, "Whether orientation counts from the first one."
-    )
+from simkit.plugins.tags import ImuSensorParameters
 
 
 class ImuSensor(Plugin[ImuSensorParameters]):

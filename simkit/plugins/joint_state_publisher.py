@@ -6,7 +6,6 @@ Source: gazebo_ros_joint_state_publisher of ROS Melodic and Noetic.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import ClassVar
 
 from simkit.errors import near_names
@@ -15,25 +14,14 @@ from simkit.physics import ModelJoint
 from simkit.plugins.errors import PluginError
 from simkit.plugins.joint_states import joint_state_message
 from simkit.plugins.naming import shown_namespace, topic_of
-from simkit.plugins.parameters import place, tag
+from simkit.plugins.parameters import place
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.rate import UpdateRate
 from simkit.plugins.site import Site
+from simkit.plugins.tags import JointStatePublisherParameters
 
 TOPIC = "joint_states"
 """In the namespace of the robot."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class JointStatePublisherParameters:
-    """What the tag says."""
-
-    joint_name: str = tag(
-        "jointName", "", "Names of joints, with commas between them.", required=True
-    )
-    update_rate: float = tag(
-        "updateRate", 100.0, "Messages a second; 0: one each step [Hz].", at_least=0.0
-    )
 
 
 class JointStatePublisher(Plugin[JointStatePublisherParameters]):

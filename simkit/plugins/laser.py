@@ -17,24 +17,14 @@ from simkit.physics import MISS
 from simkit.plugins.beams import Floats, directions, read_ray, resampled
 from simkit.plugins.naming import resolve_frame, tf_prefix, topic_of
 from simkit.plugins.noise import Noise
-from simkit.plugins.parameters import tag
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.sensor_rate import SensorRate
 from simkit.plugins.sensor_tag import read_sensor, sensor_pose
 from simkit.plugins.site import Site
+from simkit.plugins.tags import LASER_DEFAULT, LaserParameters
 
-DEFAULT = "/world"
-"""Topic and frame of a laser that says nothing of them; nobody means that."""
 AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 """The axes of a frame."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class LaserParameters:
-    """What the tag says."""
-
-    topic: str = tag("topicName", DEFAULT, "Topic of the scans; empty: none.")
-    frame: str = tag("frameName", DEFAULT, "Frame of the scans, the link of the laser.")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -78,7 +68,7 @@ class Laser(Plugin[LaserParameters]):
         """Offer the topic."""
         for name in ("frameName", "topicName"):
             if self.site.element.child(name) is None:
-                self.site.node.info(f"Laser plugin missing <{name}>, defaults to {DEFAULT}")
+                self.site.node.info(f"Laser plugin missing <{name}>, defaults to {LASER_DEFAULT}")
         if self.parameters.topic:
             topic = topic_of(self.site, "topicName", self.parameters.topic)
             self._publisher = self.site.node.advertise(topic, self._scan, queue_size=1)

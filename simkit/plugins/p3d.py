@@ -6,7 +6,6 @@ Source: gazebo_ros_p3d of ROS Noetic.
 from __future__ import annotations
 
 import dataclasses
-from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from simkit.errors import near_names
@@ -16,38 +15,14 @@ from simkit.plugins.errors import PluginError
 from simkit.plugins.naming import resolve_frame, tf_prefix, topic_of
 from simkit.plugins.noise import generator
 from simkit.plugins.odometry import diagonal
-from simkit.plugins.parameters import place, tag
+from simkit.plugins.parameters import place
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.site import Site
 from simkit.plugins.tag_texts import read_triple, read_turn
+from simkit.plugins.tags import P3dParameters
 
 WORLD_FRAMES = ("world", "/world", "map", "/map")
 """Names that mean the world itself."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class P3dParameters:
-    """What the tag says."""
-
-    body_name: str = tag("bodyName", "", "Link to tell of.", required=True)
-    topic_name: str = tag("topicName", "", "Topic of the odometry.", required=True)
-    frame_name: str = tag(
-        "frameName", "world", "Where it is seen from: world, map, or a link of the model."
-    )
-    xyz_offset: str = tag("xyzOffset", "0 0 0", "Added to the position [m].")
-    rpy_offset: str = tag("rpyOffset", "0 0 0", "Turns the orientation: roll, pitch, yaw [rad].")
-    gaussian_noise: float = tag(
-        "gaussianNoise",
-        0.0,
-        "Standard deviation of noise on velocities [m/s, rad/s].",
-        at_least=0.0,
-    )
-    update_rate: float = tag(
-        "updateRate", 0.0, "Most messages a second; 0: one each step [Hz].", at_least=0.0
-    )
-    local_twist: bool = tag(
-        "localTwist", False, "Whether velocities are seen from the link, not from the world."
-    )
 
 
 class P3d(Plugin[P3dParameters]):

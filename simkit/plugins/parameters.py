@@ -1,68 +1,22 @@
-"""The parameters of a plugin: a frozen dataclass, which is the parser of the plugin's tag as well.
-
-    @dataclass(frozen=True, slots=True, kw_only=True)
-    class Parameters:
-        rate: float = tag("updateRate", 100.0, "Publications per second; 0: each step [Hz].", at_least=0.0)
+"""Reads the tag of a plugin into its parameters.
 
 Source: gazebo_ros_utils for defaults that are said; sdformat for how a bool is written.
 """
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Callable
-from typing import Any, TypeVar, get_type_hints
+from typing import Any, TypeVar
 
 from simkit.errors import near_names
 from simkit.plugins.errors import PluginError
 from simkit.plugins.site import Site
+from simkit.plugins.tags import SILENT, Tag, tags_of
 from simkit.xml import Element
 
 T = TypeVar("T")
-SILENT = ("robotNamespace", "alwaysOn", "rosDebugLevel")
-"""Tags that any plugin may have, whether it reads them or not."""
 _TRUE, _FALSE = ("true", "1"), ("false", "0")
-
-
-@dataclasses.dataclass(frozen=True, slots=True, kw_only=True)
-class Tag:
-    """What a field of a parameter class says of the tag that it comes from."""
-
-    name: str
-    """Name of the tag."""
-    text: str
-    """What it means, with the unit in square brackets."""
-    required: bool = False
-    """Whether the plugin does not work without it."""
-    at_least: float = -math.inf
-    """Smallest number."""
-    above: float = -math.inf
-    """All numbers are greater than this."""
-    choices: tuple[str, ...] = ()
-    """What it may be; anything if empty."""
-
-
-def tag(
-    name: str,
-    default: Any,
-    text: str,
-    *,
-    required: bool = False,
-    at_least: float = -math.inf,
-    above: float = -math.inf,
-    choices: tuple[str, ...] = (),
-) -> Any:
-    """A field of a parameter class: type, default and bounds of one tag; see `Tag`."""
-    found = Tag(
-        name=name, text=text, required=required, at_least=at_least, above=above, choices=choices
-    )
-    return dataclasses.field(default=default, metadata={"tag": found})
-
-
-def tags_of(parameters: type[Any]) -> dict[str, Tag]:
-    """The tags that a parameter class reads, by the name of the field."""
-    return {one.name: one.metadata["tag"] for one in dataclasses.fields(parameters)}
 
 
 def read_parameters(parameters: type[T], site: Site, *, speaker: str | None = None) -> T:
@@ -80,20 +34,18 @@ def read_parameters(parameters: type[T], site: Site, *, speaker: str | None = No
     Raises:
         PluginError: A value is not one that the tag can have, or a tag is missing that must be there.
     """
-    types = get_type_hints(parameters)
     values: dict[str, Any] = {}
     known = tags_of(parameters)
-    for field in dataclasses.fields(parameters):  # type: ignore[arg-type]
-        found = known[field.name]
+    for field, found in known.items():
         element = site.element.child(found.name)
         if element is not None:
-            values[field.name] = _value(types[field.name], found, element, site)
+            values[field] = _value(found, element, site)
         elif found.required:
             raise PluginError(
                 f"{place(site.element, site)}: the plugin {site.name} needs <{found.name}>: {found.text}"
             )
         elif speaker is not None:
-            shown = _shown(field.default)
+            shown = _shown(found.default)
             site.node.warn(f"{speaker}: missing <{found.name}> default is {shown}")
     if site.robot is None:
         _name_strangers(site, [one.name for one in known.values()])
@@ -105,8 +57,8 @@ def place(element: Element, site: Site) -> str:
     return f"{site.file or site.model.name}:{element.span.line}:{element.span.column}"
 
 
-def _value(kind: type[Any], found: Tag, element: Element, site: Site) -> Any:
-    text = element.text.strip()
+def _value(found: Tag, element: Element, site: Site) -> Any:
+    kind, text = type(found.default), element.text.strip()
     try:
         value = _READERS[kind](text)
     except ValueError:

@@ -6,7 +6,6 @@ Source: gazebo_ros_skid_steer_drive of ROS Melodic and Noetic.
 from __future__ import annotations
 
 import dataclasses
-from dataclasses import dataclass
 from typing import ClassVar
 
 from simkit.plugins.naming import resolve_frame, shown_namespace, tf_prefix, topic_of
@@ -17,39 +16,11 @@ from simkit.plugins.odometry import (
     planar_covariance,
     world_motion,
 )
-from simkit.plugins.parameters import tag
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.rate import UpdateRate
 from simkit.plugins.site import Site
+from simkit.plugins.tags import SkidSteerDriveParameters
 from simkit.plugins.wheels import TwistEar, Wheel
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SkidSteerDriveParameters:
-    """What the tag says, in the order in which what is missing is reported."""
-
-    broadcast_tf: bool = tag("broadcastTF", False, "Whether the robot is on /tf.")
-    left_front_joint: str = tag("leftFrontJoint", "left_front_joint", "Joint of that wheel.")
-    right_front_joint: str = tag("rightFrontJoint", "right_front_joint", "Joint of that wheel.")
-    left_rear_joint: str = tag("leftRearJoint", "left_rear_joint", "Joint of that wheel.")
-    right_rear_joint: str = tag("rightRearJoint", "right_rear_joint", "Joint of that wheel.")
-    wheel_separation: float = tag(
-        "wheelSeparation", 0.4, "Distance between left and right wheels [m].", above=0.0
-    )
-    wheel_diameter: float = tag("wheelDiameter", 0.15, "Diameter of a wheel [m].", above=0.0)
-    torque: float = tag("torque", 5.0, "Largest torque of a motor [N m].", above=0.0)
-    command_topic: str = tag("commandTopic", "cmd_vel", "Topic of the commands.")
-    odometry_topic: str = tag("odometryTopic", "odom", "Topic of the odometry.")
-    odometry_frame: str = tag("odometryFrame", "odom", "Frame that odometry is measured in.")
-    robot_base_frame: str = tag("robotBaseFrame", "base_footprint", "Frame of the robot.")
-    update_rate: float = tag(
-        "updateRate", 100.0, "How often it reports and obeys; 0: each step [Hz].", at_least=0.0
-    )
-    covariance_x: float = tag("covariance_x", 1e-4, "Variance of x to tell [m^2].", at_least=0.0)
-    covariance_y: float = tag("covariance_y", 1e-4, "Variance of y to tell [m^2].", at_least=0.0)
-    covariance_yaw: float = tag(
-        "covariance_yaw", 1e-2, "Variance of yaw to tell [rad^2].", at_least=0.0
-    )
 
 
 class SkidSteerDrive(Plugin[SkidSteerDriveParameters]):

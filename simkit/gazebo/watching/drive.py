@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from simkit.gazebo.spawned import Spawned
 from simkit.geometry import Transform, Vector
 from simkit.physics import Model, ModelJoint
-from simkit.plugins.diff_drive import DiffDriveParameters
-from simkit.plugins.skid_steer_drive import SkidSteerDriveParameters
+from simkit.plugins.tags import DiffDriveParameters, SkidSteerDriveParameters
 from simkit.urdf.model import Cylinder, Sphere
 from simkit.urdf.wheel import round_part
 

@@ -5,7 +5,6 @@ Source: gazebo_ros_control `GazeboRosControlPlugin`, texts and order.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from simkit.graph import Subscription, Timer
@@ -14,31 +13,15 @@ from simkit.plugins.control.hardware import make_hardware
 from simkit.plugins.control.manager import ControllerManager
 from simkit.plugins.control.services import ManagerServices
 from simkit.plugins.control.transmission import read_transmissions
-from simkit.plugins.parameters import tag
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.site import Site
+from simkit.plugins.tags import ControlParameters
 from simkit.urdf import read_robot
 
-_SIM = "gazebo_ros_control/DefaultRobotHWSim"
 POLL = Duration.from_nsec(100_000_000)
 """How often it looks for a robot that nobody has loaded yet."""
 PATIENCE = 50
 """After so many looks it says what could be wrong."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ControlParameters:
-    """What the tag says."""
-
-    robot_param: str = tag("robotParam", "robot_description", "Parameter with the URDF.")
-    robot_sim_type: str = tag("robotSimType", _SIM, "How joints are moved.", choices=(_SIM,))
-    control_period: float = tag(
-        "controlPeriod", 0.0, "Time between two updates of the controllers [s].", above=0.0
-    )
-    e_stop_topic: str = tag("eStopTopic", "", "Topic of the emergency stop, a std_msgs/Bool.")
-    legacy_mode_ns: bool = tag(
-        "legacyModeNS", True, "Whether the gains of joints are looked for at the root."
-    )
 
 
 class GazeboRosControl(Plugin[ControlParameters]):

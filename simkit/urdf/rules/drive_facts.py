@@ -6,6 +6,8 @@ import math
 from dataclasses import dataclass
 
 from simkit.geometry import Transform, Vector
+from simkit.plugins.registry import plugins
+from simkit.plugins.tags import tags_of
 from simkit.urdf.rules.bodies import Standing, standing_shapes, zero_pose
 from simkit.urdf.rules.entries import JointEntry, PluginEntry
 from simkit.urdf.rules.sheet import Sheet
@@ -21,10 +23,6 @@ _SIDES = {
         ("rightFrontJoint", "rightRearJoint"),
     ),
 }
-_DEFAULTS = {
-    "libgazebo_ros_diff_drive.so": {"wheelSeparation": 0.34, "wheelDiameter": 0.15, "wheelTorque": 5.0},
-    "libgazebo_ros_skid_steer_drive.so": {"wheelSeparation": 0.4, "wheelDiameter": 0.15, "torque": 5.0},
-}  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,11 +60,12 @@ class Drive:
 
     def number(self, name: str) -> float | None:
         """A parameter, or its default; None if it is not read or is no number."""
-        default = _DEFAULTS[self.plugin.filename or ""].get(name)
+        tags = tags_of(plugins()[self.plugin.filename or ""].parameters).values()
+        tag = next((one for one in tags if one.name == name), None)
         element = self.plugin.parameter(name)
-        if default is None or element is None:
-            return default
-        return read_number(element.text)
+        if element is not None and tag is not None:
+            return read_number(element.text)
+        return None if tag is None else float(tag.default)
 
     def place(self, name: str) -> Element:
         """Where a parameter stands; the plugin if it is not given."""

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from simkit.diagnostics import Find, Severity, rule
+from simkit.plugins.registry import plugins
+from simkit.plugins.tags import Names, tags_of
 from simkit.urdf.rules.bodies import parents_by_fixed_joint
 from simkit.urdf.rules.entries import PluginEntry
-from simkit.urdf.rules.plugin_words import PLUGINS, Kind
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.wording import listed, meant, quoted, shown
 from simkit.xml import Element
@@ -59,20 +60,21 @@ def plugin_names_nothing(sheet: Sheet) -> Iterator[Find]:
         reference = plugin.gazebo.reference
         if reference and reference not in known:
             continue  # the whole block is lost, which another rule tells
-        word = PLUGINS.get(plugin.filename or "")
-        for name, kind in () if word is None else word.parameters.items():
+        known_plugin = plugins().get(plugin.filename or "")
+        for tag in () if known_plugin is None else tags_of(known_plugin.parameters).values():
+            name, kind = tag.name, tag.names
             element = plugin.parameter(name)
-            default = None if word is None else word.defaults.get(name)
-            value = default if element is None else element.text.strip()
-            if value is None or (element is not None and not value and kind is not Kind.JOINT):
+            value = tag.default if element is None else element.text.strip()
+            is_said = element is not None and kind is Names.JOINT
+            if not (value or is_said) or (element is None and value == "world"):
                 continue
-            if kind is Kind.JOINT and value not in moving:
+            if kind is Names.JOINT and value not in moving:
                 yield _no_joint(sheet, plugin, name, value, [*moving])
-            elif kind is Kind.LINK and value not in sheet.link_by_name:
+            elif kind is Names.LINK and value not in sheet.link_by_name:
                 yield _no_link(sheet, plugin, name, value)
-            elif kind is Kind.LINK and value in lumped and element is not None:
+            elif kind is Names.LINK and value in lumped and element is not None:
                 yield _lumped_link(element, value, lumped)
-            elif kind is Kind.FRAME and value.lstrip("/") not in sheet.link_by_name:
+            elif kind is Names.FRAME and value.lstrip("/") not in sheet.link_by_name:
                 yield _no_frame(sheet, plugin, name, value)
 
 

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from simkit.diagnostics import Find, Severity, rule
+from simkit.plugins.registry import plugins
+from simkit.plugins.tags import Names, Tag, tags_of
 from simkit.urdf.rules.entries import PluginEntry
 from simkit.urdf.rules.plugin_words import (
     NEW_GAZEBO,
     NOT_HERE,
-    PLUGINS,
     SENSOR_TYPES,
-    Kind,
-    Place,
-    PluginWord,
+    other_spellings,
+    read_elsewhere,
+    without_effect,
 )
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.vocabulary import nearest
@@ -22,7 +23,8 @@ from simkit.urdf.rules.wording import listed, quoted, read_number, shown
 from simkit.xml import Element
 
 _BOOLS = ("true", "false", "1", "0")
-_SENSOR_OF = {Place.RAY: "ray", Place.IMU: "imu", Place.CONTACT: "contact"}
+_REAL = ("wheelTorque", "torque", "wheelSeparation", "wheelDiameter")
+"Parameters whose default hardly ever fits a robot."
 
 
 @rule("GZ-E08", "a plugin that simkit does not have, or nobody has", Severity.ERROR)
@@ -46,14 +48,14 @@ def unknown_plugin(sheet: Sheet) -> Iterator[Find]:
         if not plugin.filename:
             yield _no_filename(plugin)
             continue
-        if plugin.filename in PLUGINS:
+        if plugin.filename in plugins():
             continue
         known = plugin.filename in NOT_HERE
         near = None if known else _meant_library(plugin.filename)
         is_new = not known and any(word in plugin.filename for word in NEW_GAZEBO)
         severity = Severity.WARNING if near is not None and not is_new else Severity.NOTE
         gazebo = "Gazebo loads it if it is installed, else it says: Failed to load plugin."
-        remedy = f"simkit has: {listed((one[3:-3] for one in PLUGINS), 9)}."
+        remedy = f"simkit has: {listed((one[3:-3] for one in plugins()), 9)}."
         if is_new:
             gazebo = (
                 "It belongs to ROS 2 or to the newer Gazebo; the Gazebo of ROS 1 cannot load it."
@@ -102,13 +104,13 @@ def plugin_in_wrong_place(sheet: Sheet) -> Iterator[Find]:
         </gazebo>
     """
     for plugin in sheet.plugins:
-        word = PLUGINS.get(plugin.filename or "")
-        if word is None or _is_in_place(plugin, word):
+        kind = plugins().get(plugin.filename or "")
+        if kind is None or _is_in_place(plugin, kind.sensor):
             continue
         yield Find(
             plugin.element,
-            what=f"the plugin {quoted(word.filename)} stands {_place_of(plugin)}",
-            remedy=f"It belongs {word.place.value}.",
+            what=f"the plugin {quoted(kind.filename)} stands {_place_of(plugin)}",
+            remedy=f"It belongs {_home(kind.sensor)}.",
         )
 
 
@@ -132,18 +134,18 @@ def plugin_parameter(sheet: Sheet) -> Iterator[Find]:
         </plugin>
     """
     for plugin in sheet.plugins:
-        word = PLUGINS.get(plugin.filename or "")
-        if word is None:
+        kind = plugins().get(plugin.filename or "")
+        if kind is None:
             continue
+        tags = {tag.name: tag for tag in tags_of(kind.parameters).values()}
         for element in plugin.element.children:
-            kind = word.parameters.get(element.name)
-            if kind is None:
-                yield from _unread(word, element)
-            else:
-                yield from _bad_value(element, kind)
-        for name in word.required:
-            if plugin.parameter(name) is None:
-                yield _missing(sheet, plugin, word, name)
+            if element.name in tags:
+                yield from _bad_value(element, tags[element.name])
+            elif element.name not in read_elsewhere(kind.filename):
+                yield from _unread(kind.filename, element, tags)
+        for tag in tags.values():
+            if tag.required and plugin.parameter(tag.name) is None:
+                yield _missing(sheet, plugin, tag)
 
 
 def _no_filename(plugin: PluginEntry) -> Find:
@@ -157,7 +159,7 @@ def _no_filename(plugin: PluginEntry) -> Find:
 
 
 def _meant_library(filename: str) -> str | None:
-    known = tuple(sorted({*PLUGINS, *NOT_HERE}))
+    known = tuple(sorted({*plugins(), *NOT_HERE}))
     for guess in (
         f"lib{filename}.so",
         f"lib{filename}",
@@ -173,15 +175,20 @@ def _meant_library(filename: str) -> str | None:
     return f"libgazebo_ros_{near}.so" if is_near else None
 
 
-def _is_in_place(plugin: PluginEntry, word: PluginWord) -> bool:
+def _is_in_place(plugin: PluginEntry, sensor: str | None) -> bool:
     parent = plugin.element.parent
-    in_block = parent is plugin.gazebo.element
-    if word.place is Place.MODEL:
-        return in_block and not plugin.gazebo.reference
+    if sensor is None:
+        return parent is plugin.gazebo.element and not plugin.gazebo.reference
     if parent is None or parent.name != "sensor":
         return False
-    kind = parent.get("type")
-    return kind == _SENSOR_OF[word.place] or kind not in SENSOR_TYPES  # which is told of the sensor
+    return parent.get("type") == sensor or parent.get("type") not in SENSOR_TYPES  # another find
+
+
+def _home(sensor: str | None) -> str:
+    """Where a plugin stands, of the model or of a type of sensor."""
+    if sensor is None:
+        return "in a <gazebo> without reference"
+    return f'in a <sensor type="{sensor}"> in a <gazebo reference="...">'
 
 
 def _place_of(plugin: PluginEntry) -> str:
@@ -197,49 +204,41 @@ def _place_of(plugin: PluginEntry) -> str:
     )
 
 
-def _unread(word: PluginWord, element: Element) -> Iterator[Find]:
+def _unread(filename: str, element: Element, tags: Mapping[str, Tag]) -> Iterator[Find]:
     name = element.name
-    meant = word.other_spellings.get(name) or (
-        None if name in word.unread else nearest(name, tuple(word.parameters))
+    known = (*read_elsewhere(filename), *tags)
+    meant = other_spellings(filename).get(name) or (
+        None if name in without_effect(filename) else nearest(name, known)
     )
     taken = meant is not None and element.parent is not None and element.parent.child(meant)
-    text = element.text.strip()
     remedy = "Leave it out."
     if meant is not None and not taken:
-        value = shown(text) or "..."
+        value = shown(element.text.strip()) or "..."
         remedy = f"Write <{meant}>{value}</{meant}> if that is meant."
     yield Find(
         element,
         severity=Severity.WARNING if meant is not None else Severity.NOTE,
-        what=f"{quoted(word.filename)} reads no parameter <{shown(name)}>",
+        what=f"{quoted(filename)} reads no parameter <{shown(name)}>",
         here="It has no effect.",
-        gazebo=f"It has no effect{_default_of(meant)}.",
+        gazebo=f"It has no effect{_default_of(tags.get(meant or ''))}.",
         remedy=remedy,
     )
 
 
-def _default_of(meant: str | None) -> str:
-    numbers = {
-        "wheelTorque": "5 N m",
-        "torque": "5 N m",
-        "wheelSeparation": "0.34 m",
-        "wheelDiameter": "0.15 m",
-    }
-    return f": the default of <{meant}> stays, {numbers[meant]}" if meant in numbers else ""
+def _default_of(tag: Tag | None) -> str:
+    if tag is None or tag.name not in _REAL:
+        return ""
+    unit = "N m" if "orque" in tag.name else "m"
+    return f": the default of <{tag.name}> stays, {tag.default:g} {unit}"
 
 
-def _bad_value(element: Element, kind: Kind) -> Iterator[Find]:
-    text = element.text.strip()
-    number = read_number(text)
+def _bad_value(element: Element, tag: Tag) -> Iterator[Find]:
+    text, is_bool = element.text.strip(), isinstance(tag.default, bool)
     problem = ""
-    if kind is Kind.BOOL and text.lower() not in _BOOLS:
+    if is_bool and text.lower() not in _BOOLS:
         problem = "is neither true nor false"
-    elif kind in (Kind.NUMBER, Kind.NOT_NEGATIVE, Kind.POSITIVE) and number is None:
-        problem = "is no number"
-    elif kind is Kind.NOT_NEGATIVE and number is not None and number < 0.0:
-        problem = "is negative"
-    elif kind is Kind.POSITIVE and number is not None and number <= 0.0:
-        problem = "must be more than 0"
+    elif isinstance(tag.default, float):
+        problem = _bad_number(read_number(text), tag)
     if problem:
         yield Find(
             element.text_span or element,
@@ -247,20 +246,27 @@ def _bad_value(element: Element, kind: Kind) -> Iterator[Find]:
             what=f"<{element.name}> {problem}: {quoted(text)}",
             here="simkit refuses to start the plugin.",
             gazebo="The plugin goes on with its default, or with nonsense.",
-            remedy="Write true or false." if kind is Kind.BOOL else "Write a number, in SI units.",
+            remedy="Write true or false." if is_bool else "Write a number, in SI units.",
         )
 
 
-def _missing(sheet: Sheet, plugin: PluginEntry, word: PluginWord, name: str) -> Find:
-    remedy = f"Add <{name}>...</{name}>."
-    if word.parameters[name] is Kind.JOINTS:
+def _bad_number(number: float | None, tag: Tag) -> str:
+    if number is None:
+        return "is not a number"
+    if number < tag.at_least:
+        return "is negative" if tag.at_least == 0.0 else f"must be at least {tag.at_least:g}"
+    return "" if number > tag.above else f"must be more than {tag.above:g}"
+
+
+def _missing(sheet: Sheet, plugin: PluginEntry, tag: Tag) -> Find:
+    value = "..."
+    if tag.names is Names.JOINTS:
         names = (joint.name for joint in sheet.joints if joint.moves and joint.name)
-        some = ", ".join(itertools.islice(names, 20))
-        remedy = f"Add <{name}>{shown(some)}</{name}>."
+        value = shown(", ".join(itertools.islice(names, 20)))
     return Find(
         plugin.element,
-        what=f"{quoted(word.filename)} needs a parameter <{name}>",
+        what=f"{quoted(plugin.filename)} needs a parameter <{tag.name}>",
         here="simkit refuses to start the plugin.",
         gazebo="The plugin does nothing.",
-        remedy=remedy,
+        remedy=f"Add <{tag.name}>{value}</{tag.name}>.",
     )

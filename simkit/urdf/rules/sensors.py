@@ -7,11 +7,12 @@ from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
 from simkit.geometry import Transform
+from simkit.plugins.registry import plugins
 from simkit.urdf.model import Pose
 from simkit.urdf.placed_shape import PlacedShape
 from simkit.urdf.rules.bodies import Standing, standing_shapes, zero_pose
 from simkit.urdf.rules.entries import GazeboEntry
-from simkit.urdf.rules.plugin_words import PLUGINS, SENSOR_TYPES, SIMULATED_SENSORS
+from simkit.urdf.rules.plugin_words import SENSOR_TYPES
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.wording import meant, quoted, read_number, read_numbers, short
 from simkit.xml import Element
@@ -39,6 +40,7 @@ def sensor_values(sheet: Sheet) -> Iterator[Find]:
           <max_angle>1.5708</max_angle>
         </horizontal>
     """
+    simulated = {one.sensor: one.filename for one in plugins().values() if one.sensor}
     for block, sensor in _sensors(sheet):
         for element, what, remedy in _value_faults(sheet, sensor):
             yield _find(Severity.WARNING, element, what, remedy)
@@ -47,14 +49,14 @@ def sensor_values(sheet: Sheet) -> Iterator[Find]:
             remedy = 'Put it into a <gazebo reference="..."> that names its link.'
             yield _find(Severity.ERROR, sensor, what, remedy)
         kind = sensor.get("type")
-        if kind in SENSOR_TYPES and kind not in SIMULATED_SENSORS and kind != "gpu_ray":
+        if kind in SENSOR_TYPES and kind not in simulated and kind != "gpu_ray":
             what = f"simkit does not simulate sensors of type {quoted(kind)}"
             yield _find(Severity.NOTE, sensor, what, "simkit has ray, imu and contact.")
         elif sensor.child("plugin") is None and kind in SENSOR_TYPES:
             what = (
                 f"the sensor {quoted(sensor.get('name'))} has no plugin, so ROS hears nothing of it"
             )
-            near = next((w.filename for w in PLUGINS.values() if f'type="{kind}"' in w.place.value), "...")  # fmt: skip
+            near = simulated.get(kind, "...")
             remedy = f'Add <plugin name="..." filename="{near}"> to the sensor.'
             yield _find(Severity.NOTE, sensor, what, remedy)
 

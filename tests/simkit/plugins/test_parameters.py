@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import pytest
 
 from simkit.plugins import PluginError
-from simkit.plugins.parameters import read_parameters, tag, tags_of
+from simkit.plugins.parameters import read_parameters
 from simkit.plugins.site import Site
+from simkit.plugins.tags import tag, tags_of
 from simkit.xml import parse_xml
 
 

@@ -52,7 +52,12 @@ class Idle(Plugin[Nothing]):
 def robot(stage, link, monkeypatch):
     """Spawns a robot with two diaries, and a plugin that does nothing; gives it and the pages."""
     entries = tuple(
-        PluginEntry(filename=f"lib{kind.__name__}.so", module="", class_name=kind.__name__)
+        PluginEntry(
+            filename=f"lib{kind.__name__}.so",
+            module="",
+            class_name=kind.__name__,
+            parameters=kind.Parameters,
+        )
         for kind in (Diary, Idle)
     )
     monkeypatch.setattr(registry_module, "_ENTRIES", entries)

@@ -1,0 +1,289 @@
+"""What the tag of each plugin may say: a frozen dataclass a plugin, whose fields are made by `tag`.
+
+    @dataclass(frozen=True, slots=True, kw_only=True)
+    class Parameters:
+        rate: float = tag("updateRate", 100.0, "Publications per second; 0: each step [Hz].", at_least=0.0)
+
+The class is the parser of the tag, and what check_urdf knows of it. Nothing is imported here but the standard library.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import enum
+import math
+from dataclasses import dataclass
+from typing import Any
+
+SILENT = ("robotNamespace", "alwaysOn", "rosDebugLevel")
+"""Tags that any plugin may have, whether it reads them or not."""
+LASER_DEFAULT = "/world"
+"""Topic and frame of a laser that says nothing of them; nobody means that."""
+IMU_DEFAULT = "/default_imu"
+"""Topic and service of an IMU if none is given."""
+_SIM = "gazebo_ros_control/DefaultRobotHWSim"
+
+
+class Names(enum.Enum):
+    """What the text of a tag is the name of."""
+
+    NOTHING = enum.auto()
+    """Of nothing in the robot."""
+    JOINT = enum.auto()
+    """A joint that moves."""
+    JOINTS = enum.auto()
+    """Joints that move, with commas between them."""
+    LINK = enum.auto()
+    """A link that must be there."""
+    FRAME = enum.auto()
+    """A frame of TF, mostly that of a link."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tag:
+    """What a field of a parameter class says of the tag that it comes from."""
+
+    name: str
+    """Name of the tag."""
+    default: Any
+    """What holds if it is not given; of the type that it has: text, float, int or bool."""
+    text: str
+    """What it means, with the unit in square brackets."""
+    required: bool = False
+    """Whether the plugin does not work without it."""
+    at_least: float = -math.inf
+    """Smallest number."""
+    above: float = -math.inf
+    """All numbers are greater than this."""
+    choices: tuple[str, ...] = ()
+    """What it may be; anything if empty."""
+    names: Names = Names.NOTHING
+    """What it names; the default is then a name, too, but for an empty one and `world`."""
+
+
+def tag(
+    name: str,
+    default: Any,
+    text: str,
+    *,
+    required: bool = False,
+    at_least: float = -math.inf,
+    above: float = -math.inf,
+    choices: tuple[str, ...] = (),
+    names: Names = Names.NOTHING,
+) -> Any:
+    """A field of a parameter class: type, default and bounds of one tag; see `Tag`."""
+    found = Tag(
+        name=name,
+        default=default,
+        text=text,
+        required=required,
+        at_least=at_least,
+        above=above,
+        choices=choices,
+        names=names,
+    )
+    return dataclasses.field(default=default, metadata={"tag": found})
+
+
+def tags_of(parameters: type[Any]) -> dict[str, Tag]:
+    """The tags that a parameter class reads, by the name of the field."""
+    return {one.name: one.metadata["tag"] for one in dataclasses.fields(parameters)}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DiffDriveParameters:
+    """What the tag of `libgazebo_ros_diff_drive.so` says, in the order in which what is missing is reported."""
+
+    command_topic: str = tag("commandTopic", "cmd_vel", "Topic of the commands.")
+    odometry_topic: str = tag("odometryTopic", "odom", "Topic of the odometry.")
+    odometry_frame: str = tag("odometryFrame", "odom", "Frame that odometry is measured in.")
+    robot_base_frame: str = tag(
+        "robotBaseFrame", "base_footprint", "Frame of the robot.", names=Names.FRAME
+    )
+    publish_wheel_tf: bool = tag("publishWheelTF", False, "Whether the wheels are on /tf.")
+    publish_odom_tf: bool = tag("publishOdomTF", True, "Whether the robot is on /tf.")
+    publish_wheel_joint_state: bool = tag(
+        "publishWheelJointState", False, "Whether the wheels are on joint_states."
+    )
+    wheel_separation: float = tag(
+        "wheelSeparation", 0.34, "Distance between the wheels [m].", above=0.0
+    )
+    wheel_diameter: float = tag("wheelDiameter", 0.15, "Diameter of a wheel [m].", above=0.0)
+    wheel_acceleration: float = tag(
+        "wheelAcceleration", 0.0, "Acceleration of a rim; 0: at once [m/s^2].", at_least=0.0
+    )
+    wheel_torque: float = tag("wheelTorque", 5.0, "Largest torque of a motor [N m].", above=0.0)
+    update_rate: float = tag(
+        "updateRate", 100.0, "How often it reports and obeys; 0: each step [Hz].", at_least=0.0
+    )
+    odometry_source: str = tag(
+        "odometrySource", "world", "`world`: the truth; `encoder`: what the wheels rolled."
+    )
+    left_joint: str = tag(
+        "leftJoint", "left_joint", "Joint of the wheel on the left.", names=Names.JOINT
+    )
+    right_joint: str = tag(
+        "rightJoint", "right_joint", "Joint of the wheel on the right.", names=Names.JOINT
+    )
+    publish_tf: bool = tag(
+        "publishTf", True, "Whether there is odometry: its topic, and the robot on /tf."
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SkidSteerDriveParameters:
+    """What the tag of `libgazebo_ros_skid_steer_drive.so` says, in the order in which what is missing is reported."""
+
+    broadcast_tf: bool = tag("broadcastTF", False, "Whether the robot is on /tf.")
+    left_front_joint: str = tag(
+        "leftFrontJoint", "left_front_joint", "Joint of that wheel.", names=Names.JOINT
+    )
+    right_front_joint: str = tag(
+        "rightFrontJoint", "right_front_joint", "Joint of that wheel.", names=Names.JOINT
+    )
+    left_rear_joint: str = tag(
+        "leftRearJoint", "left_rear_joint", "Joint of that wheel.", names=Names.JOINT
+    )
+    right_rear_joint: str = tag(
+        "rightRearJoint", "right_rear_joint", "Joint of that wheel.", names=Names.JOINT
+    )
+    wheel_separation: float = tag(
+        "wheelSeparation", 0.4, "Distance between left and right wheels [m].", above=0.0
+    )
+    wheel_diameter: float = tag("wheelDiameter", 0.15, "Diameter of a wheel [m].", above=0.0)
+    torque: float = tag("torque", 5.0, "Largest torque of a motor [N m].", above=0.0)
+    command_topic: str = tag("commandTopic", "cmd_vel", "Topic of the commands.")
+    odometry_topic: str = tag("odometryTopic", "odom", "Topic of the odometry.")
+    odometry_frame: str = tag("odometryFrame", "odom", "Frame that odometry is measured in.")
+    robot_base_frame: str = tag(
+        "robotBaseFrame", "base_footprint", "Frame of the robot.", names=Names.FRAME
+    )
+    update_rate: float = tag(
+        "updateRate", 100.0, "How often it reports and obeys; 0: each step [Hz].", at_least=0.0
+    )
+    covariance_x: float = tag("covariance_x", 1e-4, "Variance of x to tell [m^2].", at_least=0.0)
+    covariance_y: float = tag("covariance_y", 1e-4, "Variance of y to tell [m^2].", at_least=0.0)
+    covariance_yaw: float = tag(
+        "covariance_yaw", 1e-2, "Variance of yaw to tell [rad^2].", at_least=0.0
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JointStatePublisherParameters:
+    """What the tag of `libgazebo_ros_joint_state_publisher.so` says."""
+
+    joint_name: str = tag(
+        "jointName",
+        "",
+        "Names of joints, with commas between them.",
+        required=True,
+        names=Names.JOINTS,
+    )
+    update_rate: float = tag(
+        "updateRate", 100.0, "Messages a second; 0: one each step [Hz].", at_least=0.0
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ControlParameters:
+    """What the tag of `libgazebo_ros_control.so` says."""
+
+    robot_param: str = tag("robotParam", "robot_description", "Parameter with the URDF.")
+    robot_sim_type: str = tag("robotSimType", _SIM, "How joints are moved.", choices=(_SIM,))
+    control_period: float = tag(
+        "controlPeriod", 0.0, "Time between two updates of the controllers [s].", above=0.0
+    )
+    e_stop_topic: str = tag("eStopTopic", "", "Topic of the emergency stop, a std_msgs/Bool.")
+    legacy_mode_ns: bool = tag(
+        "legacyModeNS", True, "Whether the gains of joints are looked for at the root."
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LaserParameters:
+    """What the tag of `libgazebo_ros_laser.so` says."""
+
+    topic: str = tag("topicName", LASER_DEFAULT, "Topic of the scans; empty: none.")
+    frame: str = tag(
+        "frameName", LASER_DEFAULT, "Frame of the scans, the link of the laser.", names=Names.FRAME
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class P3dParameters:
+    """What the tag of `libgazebo_ros_p3d.so` says."""
+
+    body_name: str = tag("bodyName", "", "Link to tell of.", required=True, names=Names.LINK)
+    topic_name: str = tag("topicName", "", "Topic of the odometry.", required=True)
+    frame_name: str = tag(
+        "frameName", "world", "Where it is seen from: world, map, or a link of the model."
+    )
+    xyz_offset: str = tag("xyzOffset", "0 0 0", "Added to the position [m].")
+    rpy_offset: str = tag("rpyOffset", "0 0 0", "Turns the orientation: roll, pitch, yaw [rad].")
+    gaussian_noise: float = tag(
+        "gaussianNoise",
+        0.0,
+        "Standard deviation of noise on velocities [m/s, rad/s].",
+        at_least=0.0,
+    )
+    update_rate: float = tag(
+        "updateRate", 0.0, "Most messages a second; 0: one each step [Hz].", at_least=0.0
+    )
+    local_twist: bool = tag(
+        "localTwist", False, "Whether velocities are seen from the link, not from the world."
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ImuParameters:
+    """What the tag of `libgazebo_ros_imu.so` says."""
+
+    body: str = tag("bodyName", "", "Link that it is on.", required=True, names=Names.LINK)
+    topic: str = tag("topicName", IMU_DEFAULT, "Topic of the messages; empty: none.")
+    service: str = tag(
+        "serviceName", IMU_DEFAULT, "Service that calibrates it, which does nothing."
+    )
+    frame: str = tag(
+        "frameName", "", "Frame of the messages; the link if it is not given.", names=Names.FRAME
+    )
+    rate: float = tag(
+        "updateRate", 0.0, "Messages per second; 0: one each step [Hz].", at_least=0.0
+    )
+    noise: float = tag("gaussianNoise", 0.0, "Standard deviation of each value.", at_least=0.0)
+    xyz: str = tag("xyzOffset", "0 0 0", "Where it is on the link [m]; it has no effect.")
+    rpy: str = tag("rpyOffset", "0 0 0", "How it is turned on the link [rad].")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ImuSensorParameters:
+    """What the tag of `libgazebo_ros_imu_sensor.so` says."""
+
+    frame: str = tag(
+        "frameName",
+        "",
+        "Frame of the messages, the link of the IMU.",
+        required=True,
+        names=Names.FRAME,
+    )
+    topic: str = tag("topicName", "imu_data", "Topic of the messages.")
+    rate: float = tag("updateRateHZ", 1.0, "Messages per second; 0: all that are measured [Hz].", at_least=0.0)  # fmt: skip
+    noise: float = tag("gaussianNoise", 0.0, "Standard deviation of each value.", at_least=0.0)
+    xyz: str = tag("xyzOffset", "0 0 0", "Where it is in the sensor [m]; it has no effect.")
+    rpy: str = tag("rpyOffset", "0 0 0", "How its orientation is turned [rad].")
+    from_start: bool = tag(
+        "initialOrientationAsReference", False, "Whether orientation counts from the first one."
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BumperParameters:
+    """What the tag of `libgazebo_ros_bumper.so` says."""
+
+    topic: str = tag("bumperTopicName", "bumper_states", "Topic of the contacts.")
+    frame: str = tag(
+        "frameName",
+        "world",
+        "Frame in the header; all is told in that of the world.",
+        names=Names.FRAME,
+    )
