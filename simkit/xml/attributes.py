@@ -83,13 +83,22 @@ class AttributeList:
     def read_good_ones(self) -> None:
         """Read attributes as long as there is nothing special about them."""
         text = self._source.text
-        match = _GOOD.of(text).match
+        match, last = _GOOD.of(text).match, None
         while (found := match(text, self.at)) is not None:
+            last = found
+            self.at = end = found.end()
             name, value, other = found.groups()
-            which = 2 if other is None else 3
-            self._last = _Place(name, found.start(1), *found.span(which))
-            self._keep(self._last, value if other is None else other)
-            self.at = found.end()
+            written = value if other is None else other
+            name_at, start = found.start(1), end - 1 - len(written)
+            if name in self.found or "\n" in written or "\t" in written:
+                self._keep(_Place(name, name_at, start, end - 1), written)
+            else:
+                self.found[name] = Attribute(
+                    name, written, written, name_at, start, end - 1, self._source
+                )
+        if last is not None:
+            start, end = last.span(2 if last[3] is None else 3)
+            self._last = _Place(last[1], last.start(1), start, end)
             self._is_quiet = False
 
     def get_over_fault(self) -> None:
@@ -228,20 +237,14 @@ class AttributeList:
         value = written if normalised is None else normalised
         if normalised is None and ("\n" in written or "\t" in written):
             value = written.translate(TO_SPACE)
-        name_span = source.span(place.name_at, place.name_at + len(name))
+        one = Attribute(name, value, written, place.name_at, place.start, place.end, source)
         first = self.found.get(name)
-        if first is None or first.name_span == name_span:
-            self.found[name] = Attribute(
-                name=name,
-                value=value,
-                name_span=name_span,
-                value_span=source.span(place.start, place.end),
-                written=written,
-            )
+        if first is None or first.name_at == one.name_at:
+            self.found[name] = one
             return
         source.fault_at(
             FaultKind.DUPLICATE_ATTRIBUTE,
-            name_span,
+            one.name_span,
             what=f'{short(name)} stands twice in this tag: "{short(first.value)}" and "{short(value)}"',
             remedy=f"Delete one of the two {short(name)}=..., or rename the one that was meant to be another.",
             other=first.name_span,

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import enum
+import re
+from bisect import bisect_right
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -18,6 +20,33 @@ class Span(NamedTuple):
     """First letter, from 1, counted in characters."""
     length: int = 1
     """Letters; at least 1, and never beyond the end of the line."""
+
+
+class Lines:
+    """Where the letters of a text stand: its lines.
+
+    Args:
+        text: The text, with newlines as line ends.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.lines = tuple(text.split("\n"))
+        self._starts = [0, *(found.end() for found in re.finditer("\n", text))]
+
+    def span(self, start: int, end: int) -> Span:
+        """The place of a piece of text; of one over several lines its part in the first one."""
+        line = bisect_right(self._starts, start)
+        column = start - self._starts[line - 1]
+        width = len(self.lines[line - 1])
+        if start < end and column + end - start <= width:
+            return Span(line, column + 1, end - start)
+        column = max(0, min(column, width - 1))
+        return Span(line, column + 1, max(1, min(end - start, width - column)))
+
+    def line_of(self, at: int) -> int:
+        """The line (from 1) that a letter stands in."""
+        return bisect_right(self._starts, at)
 
 
 class FaultKind(enum.Enum):
@@ -85,12 +114,26 @@ class Attribute(NamedTuple):
     """Its name, with a prefix if there is one."""
     value: str
     """Its value, entities replaced, white space as in XML (each newline or tab a space)."""
-    name_span: Span
-    """Where its name stands."""
-    value_span: Span
-    """Where its value stands, without the quotation marks; of one over several lines the first one."""
     written: str
     """Its value with its tabs and newlines, entities replaced: what parsers see that do not normalise it."""
+    name_at: int
+    """Index of the first letter of its name."""
+    value_at: int
+    """Index of the first letter of its value."""
+    value_end: int
+    """Index behind its value."""
+    lines: Lines
+    """The text that it stands in."""
+
+    @property
+    def name_span(self) -> Span:
+        """Where its name stands."""
+        return self.lines.span(self.name_at, self.name_at + len(self.name))
+
+    @property
+    def value_span(self) -> Span:
+        """Where its value stands, without the quotation marks; of one over several lines the first one."""
+        return self.lines.span(self.value_at, self.value_end)
 
 
 class Element:

@@ -82,10 +82,18 @@ class _Scanner:
             if end > self._at:
                 yield self._text(self._at, end)
                 self._at = end
-            if bracket >= 0:
-                faults = len(source.faults)
+            if bracket < 0:
+                break
+            faults = len(source.faults)
+            following = text[bracket + 1 : bracket + 2]
+            if following == "/":
+                yield self._end_tag(bracket)
+            elif self._seen_element and self._is_name_start(following):
+                yield self._start_tag(bracket + 1)
+            else:
                 yield from self._markup(bracket)
-                source.cut_off = len(source.faults) > faults and self._is_cut_off()
+            if len(source.faults) > faults:
+                source.cut_off = self._is_cut_off()
         source.cut_off = source.cut_off or self._at < len(text)
 
     def _is_cut_off(self) -> bool:
@@ -96,10 +104,13 @@ class _Scanner:
 
     def _text(self, start: int, end: int) -> Text:
         text = self._source.text
+        value = text[start:end]
+        if not value.strip(WHITE):  # as most texts are
+            return Text(value, start, end, True)
         if text.find("]]>", start, end) >= 0:
             self._section_end(text.find("]]>", start, end))
         is_plain = text.find("&", start, end) < 0
-        value = text[start:end] if is_plain else replace_references(self._source, start, end)
+        value = value if is_plain else replace_references(self._source, start, end)
         return Text(value=value, at=start, end=end, is_plain=is_plain)
 
     def _section_end(self, at: int) -> None:
@@ -112,12 +123,10 @@ class _Scanner:
         )
 
     def _markup(self, at: int) -> Iterator[Token]:
-        """What begins with the `<` at `at`."""
+        """What begins with the `<` at `at`, which is no end tag."""
         source, text = self._source, self._source.text
         following = text[at + 1 : at + 2]
-        if following == "/":
-            yield self._end_tag(at)
-        elif not self._seen_element and self._is_xml_tag(at):
+        if not self._seen_element and self._is_xml_tag(at):
             self._at = read_declaration(source, at)
         elif self._is_name_start(following):
             yield self._start_tag(at + 1)

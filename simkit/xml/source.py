@@ -2,51 +2,32 @@
 
 from __future__ import annotations
 
-import bisect
-import re
-
-from simkit.xml.document import Fault, FaultKind, Span
+from simkit.xml.document import Fault, FaultKind, Lines, Span
 
 MAX_FAULTS = 200
 """Faults that are kept; whoever has that many is not helped by more of them, and reading ends."""
 
 
-class Source:
-    """A text, the place of each of its letters, and what is wrong with it.
+class Source(Lines):
+    """A text, the places in it, and what is wrong with it.
 
     Args:
         text: The text, with newlines as line ends.
     """
 
     def __init__(self, text: str) -> None:
-        self.text = text
-        self.lines = tuple(text.split("\n"))
+        super().__init__(text)
         self.faults: list[Fault] = []
         self.cut_off = False
         """Whether the text ends in the middle of a tag, and a fault says so."""
         self.has_definitions = False
         """Whether a document type defines entities, so that those that we do not know are none of our business."""
-        self._starts = [0, *(found.end() for found in re.finditer("\n", text))]
         self._next: dict[tuple[str, bool], tuple[int, int]] = {}
 
     @property
     def is_full(self) -> bool:
         """Whether further faults are not kept."""
         return len(self.faults) >= MAX_FAULTS
-
-    def span(self, start: int, end: int) -> Span:
-        """The place of a piece of text; of one over several lines its part in the first one."""
-        line = bisect.bisect_right(self._starts, start)
-        column = start - self._starts[line - 1]
-        width = len(self.lines[line - 1])
-        if start < end and column + end - start <= width:
-            return Span(line, column + 1, end - start)
-        column = max(0, min(column, width - 1))
-        return Span(line, column + 1, max(1, min(end - start, width - column)))
-
-    def line_of(self, at: int) -> int:
-        """The line (from 1) that a letter stands in."""
-        return bisect.bisect_right(self._starts, at)
 
     def find(self, wanted: str, start: int, *, is_ahead: bool = False) -> int:
         """Where a text comes next at or behind `start`; -1 if it does not.

@@ -66,11 +66,13 @@ def read_start_tag(source: Source, at: int) -> StartTag:
     name = _NAME.match(source.text, at)
     assert name is not None, "the caller has seen a name here"
     attributes = AttributeList(source, name.end())
+    close_at = _CLOSE.of(source.text).match
     while True:
         attributes.read_good_ones()
-        close = _CLOSE.match(source.text, attributes.at)
+        close = close_at(source.text, attributes.at)
         if close is not None:
-            return _start_tag(name, attributes, close.end(), is_closed=close[1] == "/")
+            found = tuple(attributes.found.values())
+            return StartTag(name[0], at, close.end(), found, close[1] == "/", False)
         end = _faulty_end(source, name, attributes) or _end_of_file(source, name, attributes)
         if end is not None:
             return end

@@ -75,7 +75,8 @@ class _Builder:
     # -- start tags and text
 
     def _start(self, tag: StartTag) -> None:
-        self._unclosed.clear()
+        if self._unclosed:
+            self._unclosed.clear()
         parent = self._open[-1] if self._open else None
         element = None
         if parent is None and self.roots:
@@ -104,6 +105,10 @@ class _Builder:
         return element
 
     def _text(self, text: Text) -> None:
+        if text.is_plain and not text.value.strip(WHITE):
+            if self._open and self._open[-1].element is not None:
+                self._open[-1].texts.append(text)
+            return
         raw = self._source.text[text.at : text.end]
         first = text.at + len(raw) - len(raw.lstrip(WHITE))
         if not self._open:
