@@ -130,6 +130,8 @@ LIBRARIES = {
     "xacro": ("", "simkit.xacro.child"),
     "tornado": ("simkit.viz.page.live_server", ""),
     "ipywidgets": ("", "simkit.viz"),
+    "anywidget": ("", "simkit.viz"),
+    "traitlets": ("", "simkit.viz"),
     "rosbags": ("", "simkit.msgs.generate"),
     "pytest": ("grader.checks grader.run.checker", ""),
     "rich": ("", "grader.report"),

@@ -90,6 +90,7 @@ class Widgets:
             joints,
             duration=duration,
             run=while_it_lives(self._sim),
+            picture=self._robot_picture(),
         )
         self._sim.view.add(sliders.refresh)
         return sliders
@@ -103,21 +104,23 @@ class Widgets:
         Raises:
             SimkitError: None runs, or none of that name.
         """
-        from simkit.viz import JointSliders, RvizSettings, RvizView
+        from simkit.viz import JointSliders
 
         gui = self._newest_gui(node)
         for known in self._sliders:
             if known.gui is gui:
                 return known
-        source = self._sim.view.scene_source(RvizSettings(fixed_frame=""))
-        sliders = JointSliders(
-            gui,
-            run=while_it_lives(self._sim),
-            picture=lambda: RvizView(source.scene()).thumbnail(),
-        )
+        sliders = JointSliders(gui, run=while_it_lives(self._sim), picture=self._robot_picture())
         self._sliders.append(sliders)
         self._sim.view.add(sliders.refresh)
         return sliders
+
+    def _robot_picture(self) -> Callable[[], bytes]:
+        """What makes a small picture of the robots as they stand."""
+        from simkit.viz import RvizSettings, RvizView
+
+        source = self._sim.view.scene_source(RvizSettings(fixed_frame=""))
+        return lambda: RvizView(source.scene()).thumbnail()
 
     def _newest_gui(self, node: str | None) -> JointStatePublisherGui:
         from simkit.nodes.joint_state_publisher import JointStatePublisherGui

@@ -3,8 +3,8 @@
 Every picture is made once and does not change afterwards, but for those that are called live; it
 shows itself in a notebook and is saved by `save("name.svg")`, or `.png`, or `.html`. In 2D, `draw` has what both
 SVG and PNG are made of; `trees`, `plots` and `turtlesim` are drawn with it. In 3D, `stage` has the scene, `page`
-shows it in a browser and `still` without one; `view`, `live` and `replay` hand it to people. `by_hand` has widgets
-that move robots.
+shows it in a browser and `still` without one; `view`, `live` and `replay` hand it to people. `widgets` move
+robots by hand.
 """
 
 from __future__ import annotations
@@ -13,10 +13,6 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from simkit.viz.by_hand.controlled_joints import controlled_joints
-    from simkit.viz.by_hand.teleop_pad import TeleopPad
-    from simkit.viz.by_hand.trajectory_sliders import TrajectorySliders
-    from simkit.viz.joint_sliders import JointSliders
     from simkit.viz.live import LiveRviz, LiveWorld
     from simkit.viz.live_view import LiveView
     from simkit.viz.plots.joints import JointPlot, TrackingPlot
@@ -34,6 +30,9 @@ if TYPE_CHECKING:
     from simkit.viz.turtlesim.replay import TurtleReplay
     from simkit.viz.turtlesim.view import TurtlesimView
     from simkit.viz.view import RvizView, WorldView
+    from simkit.viz.widgets.joint_sliders import JointSliders
+    from simkit.viz.widgets.teleop_pad import TeleopPad
+    from simkit.viz.widgets.trajectory_sliders import TrajectorySliders, controlled_joints
     from simkit.viz.world_recording import WorldTape
 
 __all__ = [
@@ -73,7 +72,7 @@ __all__ = [
 _HOMES = {
     "FramesPicture": "trees.frames",
     "JointPlot": "plots.joints",
-    "JointSliders": "joint_sliders",
+    "JointSliders": "widgets.joint_sliders",
     "LiveRviz": "live",
     "LiveView": "live_view",
     "LiveWorld": "live",
@@ -85,9 +84,9 @@ _HOMES = {
     "RvizSettings": "stage.rviz_settings",
     "RvizView": "view",
     "SceneSource": "stage.rviz_source",
-    "TeleopPad": "by_hand.teleop_pad",
+    "TeleopPad": "widgets.teleop_pad",
     "TrackingPlot": "plots.joints",
-    "TrajectorySliders": "by_hand.trajectory_sliders",
+    "TrajectorySliders": "widgets.trajectory_sliders",
     "TransformPlot": "plots.transforms",
     "TransformSeries": "plots.transforms",
     "TurtleReplay": "turtlesim.replay",
@@ -97,7 +96,7 @@ _HOMES = {
     "WorldSource": "stage.world_source",
     "WorldTape": "world_recording",
     "WorldView": "view",
-    "controlled_joints": "by_hand.controlled_joints",
+    "controlled_joints": "widgets.trajectory_sliders",
     "display_of": "stage.rviz_settings",
     "displays_of": "stage.rviz_settings",
     "robot_displays": "stage.rviz_settings",

@@ -95,6 +95,15 @@ class Page:
             time.sleep(0.1)
         return value
 
+    def click(self, element: str) -> None:
+        """Click with the mouse on what an expression gives."""
+        x, y = self.run(
+            f"(() => {{ const one = {element}; one.scrollIntoView({{block: 'center'}});"
+            "const box = one.getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; })()"
+        )
+        self._mouse("mousePressed", x, y)
+        self._mouse("mouseReleased", x, y)
+
     def drag(self, selector: str, number: int, right_px: float) -> None:
         """Press the mouse on an element, pull it to the right, and let go."""
         box = self.run(

@@ -54,8 +54,9 @@ TIP = (
     "print(tip.x, tip.y, tip.z)"
 )
 LONG = "import time\nfor _ in range(40):\n    sim.run(1.0)\n    time.sleep(0.05)\nprint('done')"
-HANDLES = "document.querySelectorAll('.noUi-handle').length"
-READ = "[...document.querySelectorAll('.widget-readout')].map((one) => one.innerText)"
+SLIDER = ".simkit-sliders input[type=range]"
+HANDLES = f"document.querySelectorAll('{SLIDER}').length"
+READ = "[...document.querySelectorAll('.simkit-sliders .joint input[type=number]')].map((one) => one.value)"
 
 
 def numbers(text):
@@ -82,15 +83,15 @@ def asked(lab, cell):
 
 def shown(lab):
     """What stands beside the sliders."""
-    return [float(text.replace("\u2212", "-")) for text in lab.page.run(READ)]
+    return [float(text) for text in lab.page.run(READ)]
 
 
 def test_sliders_move_the_robot(sliders):
     page = sliders.page
     assert "Node: /joint_state_publisher" in sliders.output(1)
     page.screenshot("sliders_at_zero")
-    page.drag(".noUi-handle", 0, 50)
-    page.drag(".noUi-handle", 1, -30)
+    page.drag(SLIDER, 0, 50)
+    page.drag(SLIDER, 1, -30)
     page.screenshot("sliders_moved")
     hip, shoulder = asked(sliders, 2)
     assert hip > 0.5
@@ -106,13 +107,40 @@ def test_sliders_move_the_robot(sliders):
     assert asked(sliders, 2) == [0.0, 0.0]
 
 
+def test_the_picture_of_the_robot_is_beside_the_sliders_and_follows(sliders):
+    page = sliders.page
+    beside = "document.querySelector('.simkit-panel .beside img')"
+    before = page.run(f"{beside}.src")
+    page.drag(SLIDER, 1, -40)
+    page.wait(f"{beside}.src !== {before!r}")
+    assert "shoulder -" in page.run(f"{beside}.alt")
+    assert page.run(
+        f"{beside}.getBoundingClientRect().left > document.querySelector('{SLIDER}').getBoundingClientRect().right"
+    )
+    # No frame, and no other port than that of JupyterLab.
+    assert page.run("document.querySelectorAll('.jp-OutputArea iframe').length") == 0
+    ports = "new Set(performance.getEntriesByType('resource').map((one) => new URL(one.name).port).filter(Boolean)).size"
+    assert page.run(ports) == 1
+
+
+def test_an_arrow_key_moves_a_slider_by_a_thousandth(sliders):
+    page = sliders.page
+    page.run(f"document.querySelector('{SLIDER}').focus()")
+    for kind in ("rawKeyDown", "keyUp"):
+        page.call("Input.dispatchKeyEvent", type=kind, key="ArrowRight", code="ArrowRight")
+    page.wait(f"{READ}[0] === '0.006'")
+    assert asked(sliders, 2)[0] == pytest.approx(math.tau / 1000)
+
+
 def test_a_still_for_the_saved_notebook_waits_behind_the_sliders(sliders):
     page = sliders.page
-    page.drag(".noUi-handle", 0, 50)
+    page.drag(SLIDER, 0, 50)
     (hip, _) = asked(sliders, 2)
     page.wait(f"document.querySelector('.simkit-still').textContent.includes('{hip:.3f} rad')")
     seen = "[...document.querySelectorAll('.simkit-still, #panel')].map((one) => one.checkVisibility())"
-    page.run("document.querySelector('.lm-Panel:has(> .widget-box)').id = 'panel'")
+    page.run(
+        "document.querySelector('.jp-OutputArea-output.lm-Panel:has(.simkit-panel)').id = 'panel'"
+    )
     assert page.run(seen) == [True, False]
     # What JupyterLab makes of widgets that no kernel knows.
     page.run("document.getElementById('panel').replaceChildren('Error displaying widget')")
@@ -123,7 +151,7 @@ def test_a_still_for_the_saved_notebook_waits_behind_the_sliders(sliders):
 def test_a_slider_can_be_moved_while_a_cell_runs(sliders):
     page = sliders.page
     sliders.start_cell(3)
-    page.drag(".noUi-handle", 0, 50)
+    page.drag(SLIDER, 0, 50)
     page.run("running.then(() => true)")
     assert sliders.output(3).strip() == "done"
     # While the kernel is busy, Jupyter keeps the latest value back; it comes when the cell has ended.

@@ -61,6 +61,18 @@ def test_a_turtle_is_driven_by_mouse_and_by_keys(pad):
     page.wait(f"{STATUS}.includes('0 m/s, 0 rad/s')")
 
 
+def test_a_click_on_a_button_leaves_the_pad_with_the_keys(pad):
+    page = pad.page
+    assert "Click here to drive" in page.run(STATUS)
+    page.click(BUTTON.format("up"))
+    page.wait(f"{STATUS}.includes('2 m/s, 0 rad/s')")
+    assert "The arrow keys drive" in page.run(STATUS)
+    page.screenshot("teleop_has_the_keys")
+    for key, command in (("ArrowLeft", "0 m/s, 2 rad/s"), ("ArrowDown", "-2 m/s, 0 rad/s")):
+        press(page, key)
+        page.wait(f"{STATUS}.includes('{command}')")
+
+
 def test_time_passes_by_itself_while_run_is_on(pad):
     page = pad.page
     before = pose(pad)[3]

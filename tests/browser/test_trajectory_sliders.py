@@ -14,7 +14,8 @@ BEGIN = (
 )
 SHOW = "sliders = sim.trajectory_sliders('/arm_controller', duration=0.5)\nsliders"
 WHERE = "print(*sim.latest('/joint_states').position)"
-HANDLES = "document.querySelectorAll('.noUi-handle').length"
+SLIDER = ".simkit-sliders input[type=range]"
+HANDLES = f"document.querySelectorAll('{SLIDER}').length"
 
 
 def where(lab):
@@ -31,8 +32,8 @@ def test_an_arm_goes_where_its_sliders_are_put(lab):
     page = lab.page
     page.wait(f"{HANDLES} === 2")
     assert where(lab) == pytest.approx([0.0, 0.0], abs=1e-6)  # to look at it does not move it
-    page.drag(".noUi-handle", 0, 40)
-    page.drag(".noUi-handle", 1, -25)
+    page.drag(SLIDER, 0, 40)
+    page.drag(SLIDER, 1, -25)
     page.wait("document.body.innerText.split('is at -').length > 1")
     page.screenshot("trajectory_sliders")
     hip, shoulder = where(lab)

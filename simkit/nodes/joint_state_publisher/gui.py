@@ -1,4 +1,4 @@
-"""The sliders of joint_state_publisher_gui, without a window: `simkit.viz.joint_sliders` draws them.
+"""The sliders of joint_state_publisher_gui, without a window: `simkit.viz.widgets` draws them.
 
 Source: joint_state_publisher_gui 1.15: a slider of 10000 steps per joint, Randomize, Center.
 """

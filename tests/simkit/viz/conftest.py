@@ -23,8 +23,8 @@ from simkit.nodes import builtin_nodes
 from simkit.tf import Buffer
 from simkit.tf.transformations import quaternion_from_euler
 from simkit.urdf import load_robot
-from simkit.viz.by_hand import notebook_widgets, saved_still
 from simkit.viz.stage.robot import RobotShapes, robot_shapes
+from simkit.viz.widgets import panel
 
 START = 1_600_088_400
 BROWSER = next(
@@ -438,8 +438,7 @@ class Notebook:
 def notebook(monkeypatch: pytest.MonkeyPatch) -> Notebook:
     """Widgets believe that they are in this notebook."""
     made = Notebook()
-    for module in (notebook_widgets, saved_still):
-        monkeypatch.setattr(module, "running_notebook", lambda: made)
+    monkeypatch.setattr(panel, "running_notebook", lambda: made)
     monkeypatch.setattr("IPython.display.display", made.display)
     monkeypatch.setattr("IPython.display.DisplayHandle", lambda: made)
     return made

@@ -3,28 +3,45 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from simkit.errors import SimkitError, UnknownNameError
-from simkit.graph import Node
+from simkit.graph import Graph, Node
 from simkit.msgs import Duration, message_class
-from simkit.viz.by_hand.controlled_joints import ControlledJoint
-from simkit.viz.by_hand.notebook_widgets import BOX, NotebookWidgets, ipywidgets_for
-from simkit.viz.by_hand.slider_place import is_drawn_there
-from simkit.viz.kernel_loop import KernelLoop, Later
+from simkit.urdf import Joint, JointType, load_robot
+from simkit.viz.widgets.kernel_loop import Later
+from simkit.viz.widgets.panel import Panel, png_picture
 
-STEPS = 1000
-"""Places of a slider for mouse and arrow keys; a number that is typed beside it counts exactly."""
 SLICE = 0.1
 """So much virtual time passes in one go [s], so that other views see the motion."""
 REST = 0.05
 """So much longer than a motion time passes [s], until the controller has told of its end."""
+_KIND = "/JointTrajectoryController"
 _SHORTEST, _LONGEST = 0.01, 60.0
 "Of a motion [s]."
 
 
-class TrajectorySliders(NotebookWidgets):
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ControlledJoint:
+    """A joint with a slider."""
+
+    name: str
+    """Its name."""
+    lower: float
+    """Least position [rad or m]; -pi if it turns without end."""
+    upper: float
+    """Greatest position [rad or m]; pi if it turns without end."""
+    unit: str
+    """`rad` or `m`."""
+
+    def clipped(self, position: float) -> float:
+        """The nearest position that it can go to."""
+        return min(max(position, self.lower), self.upper)
+
+
+class TrajectorySliders(Panel):
     """Sends goals to a joint trajectory controller.
 
     When a slider is let go, the positions of all sliders are one goal, to be reached `duration` later;
@@ -37,10 +54,13 @@ class TrajectorySliders(NotebookWidgets):
         duration: Virtual time of a motion [s].
         run: Lets virtual time pass [s].
         later: Where a run waits for its turn; the kernel's event loop if None.
+        picture: Makes a small picture of how the robot stands, as a PNG file; without it, there is none.
 
     Raises:
         SimkitError: The duration is not between 0.01 s and 60 s.
     """
+
+    SCRIPT = "sliders"
 
     def __init__(
         self,
@@ -51,39 +71,26 @@ class TrajectorySliders(NotebookWidgets):
         duration: float,
         run: Callable[[float], None],
         later: Later | None = None,
+        picture: Callable[[], bytes] | None = None,
     ) -> None:
+        super().__init__(later=later)
+        self._png = picture
         self._node, self._controller, self._run = node, controller, run
         self._joints = {joint.name: joint for joint in joints}
         self._duration = _checked(duration)
         self._command: Any = message_class("trajectory_msgs/JointTrajectory")
         self._point: Any = message_class("trajectory_msgs/JointTrajectoryPoint")
         self._publisher = node.advertise(f"{controller}/command", self._command)
-        self._later = later or KernelLoop()
         actual = self.actual()
         self._goal = {
             name: joint.clipped(actual.get(name, 0.0)) for name, joint in self._joints.items()
         }
-        self._sliders: dict[str, Any] = {}
-        self._readouts: dict[str, Any] = {}
-        self._box: Any = None
         self._is_waiting = False
 
     @property
     def goal(self) -> dict[str, float]:
         """Where the sliders stand, by joint [rad or m]."""
         return dict(self._goal)
-
-    @property
-    def widget(self) -> Any:
-        """The ipywidgets box.
-
-        Raises:
-            SimkitError: ipywidgets is not installed.
-        """
-        if self._box is None:
-            self._box = self._build(ipywidgets_for("the sliders"))
-            self.refresh()
-        return self._box
 
     def actual(self) -> dict[str, float]:
         """Where the joints are, as the controller has told it, or else /joint_states; empty if neither has."""
@@ -122,16 +129,37 @@ class TrajectorySliders(NotebookWidgets):
         self._send(duration)
         self.refresh()
 
-    def refresh(self) -> None:
-        """Show the goals, and where the joints are now."""
-        if self._box is None:
-            return
+    def state(self) -> dict[str, Any]:
+        """The joints with their ranges and goals, and where they are now."""
         actual = self.actual()
-        for name, slider in self._sliders.items():
-            slider.value = self._goal[name]
-            found = actual.get(name)
-            text = "" if found is None else f"is at {found:.3f} {self._joints[name].unit}"
-            self._readouts[name].value = text
+        return {
+            "title": f"Controller: {self._controller}",
+            "joints": [self._row(joint, actual.get(joint.name)) for joint in self._joints.values()],
+            "buttons": ["All to zero"],
+            "duration": self._duration,
+            "follows": False,
+            "disabled": False,
+            "message": self._message,
+        }
+
+    def picture(self) -> dict[str, str]:
+        """How the robot stands."""
+        if self._png is None:
+            return {}
+        stand = ", ".join(f"{name} at {value:.3f}" for name, value in self.actual().items())
+        return png_picture(self._png(), f"The robot with {stand}" if stand else "The robot")
+
+    def hear(self, message: Mapping[str, Any]) -> None:
+        """A slider was let go, the button pressed, or another duration typed."""
+        match message:
+            case {"move": str(name), "to": float() | int() as position} if name in self._joints:
+                self._goal[name] = self._joints[name].clipped(position)
+                self._soon()
+            case {"press": "All to zero"}:
+                self._goal = {name: joint.clipped(0.0) for name, joint in self._joints.items()}
+                self._soon()
+            case {"duration": float() | int() as duration}:
+                self._attempt(lambda: self._set_duration(duration))
 
     def __repr__(self) -> str:
         actual = self.actual()
@@ -144,58 +172,19 @@ class TrajectorySliders(NotebookWidgets):
         how = f'  From Python: sliders.move({{"{first}": 0.5}})'
         return "\n".join([f"TrajectorySliders of {self._controller}", *rows, how])
 
-    # -- the widgets
-
-    def _build(self, widgets: Any) -> Any:
-        rows = [self._row(widgets, joint) for joint in self._joints.values()]
-        self.message = widgets.Label(layout={"display": "none"})
-        duration = widgets.BoundedFloatText(
-            value=self._duration,
-            min=_SHORTEST,
-            max=_LONGEST,
-            step=0.1,
-            description="duration [s]",
-            style={"description_width": "8em"},
-            layout={"width": "15em"},
-        )
-        duration.observe(lambda change: self._set_duration(change["new"]), names="value")
-        zero = widgets.Button(description="All to zero")
-        zero.on_click(lambda _: self._on_zero())
-        title = widgets.Label(f"Controller: {self._controller}", style={"font_weight": "bold"})
-        return widgets.VBox(
-            [title, *rows, widgets.HBox([duration, zero]), self.message], layout=BOX
-        )
-
-    def _row(self, widgets: Any, joint: ControlledJoint) -> Any:
-        slider = widgets.FloatSlider(
-            value=self._goal[joint.name],
-            description=joint.name,
-            min=joint.lower,
-            max=joint.upper,
-            step=(joint.upper - joint.lower) / STEPS or 1.0,
-            readout_format=".3f",
-            continuous_update=False,
-            style={"description_width": "8em"},
-            layout={"width": "32em"},
-        )
-        slider.observe(lambda change: self._on_move(joint.name, change["new"]), names="value")
-        self._sliders[joint.name] = slider
-        self._readouts[joint.name] = widgets.Label(layout={"width": "10em"})
-        return widgets.HBox([slider, self._readouts[joint.name]])
+    def _row(self, joint: ControlledJoint, actual: float | None) -> dict[str, Any]:
+        return {
+            "name": joint.name,
+            "lower": joint.lower,
+            "upper": joint.upper,
+            "unit": joint.unit,
+            "value": self._goal[joint.name],
+            "words": joint.unit if actual is None else f"{joint.unit}, is at {actual:.3f}",
+        }
 
     def _set_duration(self, duration: float) -> None:
-        self._duration = duration
-
-    def _on_zero(self) -> None:
-        self._goal = {name: joint.clipped(0.0) for name, joint in self._joints.items()}
-        self._soon()
-
-    def _on_move(self, name: str, value: float) -> None:
-        slider = self._sliders[name]
-        if is_drawn_there(value, self._goal[name], low=slider.min, step=slider.step):
-            return
-        self._goal[name] = value
-        self._soon()
+        self._duration = _checked(duration)
+        self.say("")
 
     # -- motions
 
@@ -206,11 +195,8 @@ class TrajectorySliders(NotebookWidgets):
 
     def _advance(self) -> None:
         self._is_waiting = False
-        try:
-            self._send(self._duration)
+        if self._attempt(lambda: self._send(self._duration)):
             self.say("" if self._publisher.num_connections else _silence(self._publisher.topic))
-        except SimkitError as error:
-            self.say(str(error))
         self.refresh()
 
     def _send(self, duration: float) -> None:
@@ -240,3 +226,60 @@ def _checked(duration: float) -> float:
     if not _SHORTEST <= duration <= _LONGEST:
         raise SimkitError(f"a motion takes from {_SHORTEST:g} to {_LONGEST:g} s, not {duration} s")
     return float(duration)
+
+
+def controlled_joints(
+    graph: Graph, controller: str, *, description: str = "/robot_description"
+) -> tuple[ControlledJoint, ...]:
+    """The joints of a controller, in its order.
+
+    Args:
+        graph: Has the parameters.
+        controller: Resolved name of the controller, e.g. `/arm_controller`.
+        description: Parameter with the URDF of the robot, which has the limits.
+
+    Raises:
+        SimkitError: The controller has no parameter `joints`, a joint is none of the robot, or there is no robot.
+        UrdfError: The robot cannot be read.
+    """
+    names = graph.params.get(f"{controller}/joints", None)
+    if not isinstance(names, list) or not names or not all(isinstance(n, str) for n in names):
+        raise SimkitError(
+            f"Could not find 'joints' parameter (namespace: {controller}), a list of names. "
+            f"{_known(_controllers(graph))} Load the configuration first, e.g. rosparam load in a launch file."
+        )
+    text = graph.params.get(description, None)
+    if not isinstance(text, str):
+        raise SimkitError(
+            f"parameter {description} holds no URDF, and the limits of joints are in it"
+        )
+    joints = load_robot(text, file=description).joints
+    for name in names:
+        if name not in joints:
+            raise UnknownNameError(f"joint of {controller}/joints in {description}", name, joints)
+    return tuple(_controlled(joints[name]) for name in names)
+
+
+def _controlled(joint: Joint) -> ControlledJoint:
+    lower, upper = -math.pi, math.pi
+    if joint.type is not JointType.CONTINUOUS and joint.limit is not None:
+        lower, upper = sorted((joint.limit.lower, joint.limit.upper))
+    unit = "m" if joint.type is JointType.PRISMATIC else "rad"
+    return ControlledJoint(name=joint.name, lower=lower, upper=upper, unit=unit)
+
+
+def _controllers(graph: Graph) -> list[str]:
+    """Names below the root that have a type of trajectory controller."""
+    tree: Any = graph.params.get("/", {})
+    found = []
+    for name, value in sorted(tree.items()) if isinstance(tree, dict) else ():
+        if isinstance(value, dict) and str(value.get("type", "")).endswith(_KIND):
+            found.append(f"/{name}")
+    return found
+
+
+def _known(controllers: Iterable[str]) -> str:
+    names = ", ".join(controllers)
+    return (
+        f"Trajectory controllers with parameters: {names}." if names else "No controller has any."
+    )

@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from simkit.viz.by_hand.saved_still import SavedStill
+from simkit.viz.widgets.panel import SavedStill
 
 # An output as JupyterLab makes it: a panel with the widgets, then HTML.
 OUTPUT = """

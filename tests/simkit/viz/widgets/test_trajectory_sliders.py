@@ -7,7 +7,7 @@ import pytest
 from simkit import SimkitError, Simulation, UnknownNameError
 from simkit.msgs import message_class
 from simkit.viz import TrajectorySliders, controlled_joints
-from simkit.viz.by_hand.trajectory_sliders import REST
+from simkit.viz.widgets.trajectory_sliders import REST
 
 ROBOT = """<robot name="r"><link name="a"/><link name="b"/><link name="c"/>
 <joint name="hip" type="continuous"><parent link="a"/><child link="b"/></joint>
@@ -82,19 +82,9 @@ def sliders(sim, waiting):
     )
 
 
-class Window:
-    """The widgets, by what a person sees."""
-
-    def __init__(self, box):
-        self.title, *rows, foot, self.message = box.children
-        self.sliders = {row.children[0].description: row.children[0] for row in rows}
-        self.readouts = {row.children[0].description: row.children[1] for row in rows}
-        self.duration, self.zero = foot.children
-
-
-@pytest.fixture
-def window(sliders):
-    return Window(sliders.widget)
+def joints(sliders):
+    """What the script is told of each joint."""
+    return {joint["name"]: joint for joint in sliders.state()["joints"]}
 
 
 def test_a_move_is_one_goal_of_all_joints_and_takes_its_time(sim, controller):
@@ -142,54 +132,49 @@ def test_what_cannot_be_reached_is_refused_and_nothing_is_sent(sim, controller):
     assert sliders.goal == {"hip": 0.0, "elbow": 0.0}
 
 
-def test_a_slider_has_the_range_of_its_joint(window):
-    assert window.title.value == "Controller: /arm_controller"
-    ranges = {name: (one.min, one.max) for name, one in window.sliders.items()}
+def test_a_slider_has_the_range_of_its_joint(sliders):
+    assert sliders.state()["title"] == "Controller: /arm_controller"
+    ranges = {name: (one["lower"], one["upper"]) for name, one in joints(sliders).items()}
     assert ranges == {"hip": (-math.pi, math.pi), "elbow": (-1.0, 2.0)}
 
 
-def test_a_slider_that_is_moved_sends_one_goal_when_no_cell_runs(sim, controller, window, waiting):
+def test_a_slider_that_is_moved_sends_one_goal_when_no_cell_runs(sim, controller, sliders, waiting):
     begin = sim.now
-    window.sliders["hip"].value = 0.5
-    window.sliders["elbow"].value = 1.0
+    sliders.hear({"move": "hip", "to": 0.5})
+    sliders.hear({"move": "elbow", "to": 1})
     assert controller.goals == []
     waiting.go()
     (goal,) = controller.goals
     assert list(goal.points[0].positions) == [0.5, 1.0]
     assert (sim.now - begin).to_sec() == pytest.approx(0.5 + REST)
-    assert window.readouts["elbow"].value == "is at 1.000 rad"
-    window.duration.value = 1.5
-    window.zero.click()
+    assert joints(sliders)["elbow"]["words"] == "rad, is at 1.000"
+    sliders.hear({"duration": 1.5})
+    sliders.hear({"press": "All to zero"})
     waiting.go()
     assert list(controller.goals[1].points[0].positions) == [0.0, 0.0]
     assert (sim.now - begin).to_sec() == pytest.approx(2.0 + 2 * REST)
-    assert window.sliders["hip"].value == 0.0
+    assert joints(sliders)["hip"]["value"] == 0.0
 
 
-def test_a_browser_that_draws_a_slider_sends_nothing(sim, controller, sliders, window, waiting):
-    sliders.move({"hip": 0.5})
-    controller.goals.clear()
-    step = window.sliders["hip"].step
-    nearest = -math.pi + step * round((0.5 + math.pi) / step)
-    assert 0 < abs(nearest - 0.5) < step / 2
-    window.sliders["hip"].value = nearest
+def test_a_duration_that_makes_no_sense_is_refused_below_the_sliders(sliders):
+    sliders.hear({"duration": 0})
+    assert "a motion takes from 0.01 to 60 s" in sliders.state()["message"]
+    assert sliders.state()["duration"] == 0.5
+
+
+def test_without_a_controller_that_listens_the_window_says_so(sliders, waiting):
+    sliders.hear({"move": "hip", "to": 0.5})
     waiting.go()
-    assert controller.goals == []
-
-
-def test_without_a_controller_that_listens_the_window_says_so(window, waiting):
-    window.sliders["hip"].value = 0.5
-    waiting.go()
-    assert window.message.value == (
+    assert sliders.state()["message"] == (
         "No node listens to /arm_controller/command: is the controller loaded and started?"
     )
 
 
-def test_an_end_of_the_simulation_is_told(sim, controller, window, waiting):
+def test_an_end_of_the_simulation_is_told(sim, controller, sliders, waiting):
     sim.close()
-    window.sliders["hip"].value = 0.5
+    sliders.hear({"move": "hip", "to": 0.5})
     waiting.go()
-    assert "this simulation is closed" in window.message.value
+    assert "this simulation is closed" in sliders.state()["message"]
 
 
 def test_without_a_kernel_it_is_a_text(sim, controller):

@@ -6,7 +6,7 @@ import weakref
 import pytest
 
 from simkit import SimkitError, Simulation, UnknownNameError
-from simkit.viz.by_hand.teleop_pad import TICK, TeleopPad
+from simkit.viz.widgets.teleop_pad import TICK, TeleopPad
 
 
 class Waiting:
@@ -66,21 +66,10 @@ def pad(sim, waiting):
     )
 
 
-class Window:
-    """The widgets of a pad, by what a person sees."""
-
-    def __init__(self, box):
-        arrows, _, linear, angular, self.status, self.message = box.children
-        self.buttons = {one.description: one for one in arrows.children if hasattr(one, "style")}
-        self.linear, self.angular = linear.children[0], angular.children[0]
-
-    def click(self, sign):
-        self.buttons[sign].click()
-
-
 @pytest.fixture
-def window(pad):
-    return Window(pad.widget)
+def click(pad):
+    """Does what the script of the pad does when a button is clicked."""
+    return lambda key: pad.hear({"press": key})
 
 
 def pose(sim):
@@ -129,58 +118,65 @@ def test_numbers_that_make_no_sense_are_refused(sim, wrong):
         sim.teleop(**wrong)
 
 
-def test_a_click_waits_until_no_cell_runs(sim, turtle, window, waiting):
+def test_a_click_waits_until_no_cell_runs(sim, turtle, pad, click, waiting):
     begin, (x, _, _) = sim.now, pose(sim)
-    window.click("↑")
+    click("up")
     assert sim.now == begin
     waiting.go()
     assert (sim.now - begin).to_sec() == pytest.approx(0.25)
     assert pose(sim)[0] == pytest.approx(x + 0.5, abs=0.07)
-    assert window.message.layout.display == "none"
+    assert pad.state()["message"] == ""
 
 
-def test_of_clicks_that_come_too_fast_the_last_one_counts(sim, turtle, window, waiting):
+def test_of_clicks_that_come_too_fast_the_last_one_counts(sim, turtle, pad, click, waiting):
     recording = sim.record(["/turtle1/cmd_vel"])
     begin = sim.now
-    for sign in ("↑", "←", "↑", "↓"):
-        window.click(sign)
+    for key in ("up", "left", "up", "down"):
+        click(key)
     waiting.go()
     ((_, twist),) = recording["/turtle1/cmd_vel"]
     assert twist.linear.x == -2.0
     assert (sim.now - begin).to_sec() == pytest.approx(0.25)
 
 
-def test_speeds_can_be_set(sim, turtle, window, waiting):
+def test_a_speed_that_makes_no_sense_is_refused_below_the_pad(pad):
+    pad.hear({"linear": -1})
+    assert "is a number from 0 to 1000" in pad.state()["message"]
+    assert pad.state()["linear"] == 2.0
+
+
+def test_speeds_can_be_set(sim, turtle, pad, click, waiting):
     recording = sim.record(["/turtle1/cmd_vel"])
-    window.linear.value, window.angular.value = 0.7, 0.3
-    for sign in ("↑", "→"):
-        window.click(sign)
+    pad.hear({"linear": 0.7})
+    pad.hear({"angular": 0.3})
+    for key in ("up", "right"):
+        click(key)
         waiting.go()
     said = [(twist.linear.x, twist.angular.z) for _, twist in recording["/turtle1/cmd_vel"]]
     assert said == [(0.7, 0.0), (0.0, -0.3)]
-    assert "0 m/s, -0.3 rad/s" in window.status.value
+    assert "0 m/s, -0.3 rad/s" in pad.state()["lines"]
 
 
-def test_while_run_is_on_time_passes_by_itself(sim, turtle, pad, window, waiting):
+def test_while_run_is_on_time_passes_by_itself(sim, turtle, pad, click, waiting):
     begin = sim.now
-    window.buttons["Run"].value = True
+    pad.hear({"run": True})
     waiting.go()
     assert pad.is_running
-    window.click("↑")
+    click("up")
     waiting.go()  # a press takes no time of its own then
     assert (sim.now - begin).to_sec() == pytest.approx(TICK)
     for _ in range(4):
         assert waiting.wait() == [TICK]
     assert (sim.now - begin).to_sec() == pytest.approx(5 * TICK)
-    window.buttons["Run"].value = False
+    pad.hear({"run": False})
     waiting.wait()
     assert (sim.now - begin).to_sec() == pytest.approx(5 * TICK)
     assert waiting.wait() == []
 
 
-def test_on_and_off_and_on_again_runs_once(sim, turtle, window, waiting):
+def test_on_and_off_and_on_again_runs_once(sim, turtle, pad, click, waiting):
     for value in (True, False, True):
-        window.buttons["Run"].value = value
+        pad.hear({"run": value})
     waiting.go()
     begin = sim.now
     waiting.wait()
@@ -197,19 +193,18 @@ def test_who_drives_nobody_is_told_so(sim, turtle, waiting):
         run=sim.run,
         later=waiting,
     )
-    window = Window(pad.widget)
-    window.click("↑")
+    pad.hear({"press": "up"})
     waiting.go()
-    assert window.message.value == (
+    assert pad.state()["message"] == (
         "No node listens to /cmd_vel; topics of geometry_msgs/Twist with listeners: /turtle1/cmd_vel."
     )
 
 
-def test_an_end_of_the_simulation_is_told_and_stops_the_time(sim, turtle, pad, window, waiting):
-    window.buttons["Run"].value = True
+def test_an_end_of_the_simulation_is_told_and_stops_the_time(sim, turtle, pad, click, waiting):
+    pad.hear({"run": True})
     sim.close()
     waiting.go()
-    assert "this simulation is closed" in window.message.value
+    assert "this simulation is closed" in pad.state()["message"]
     assert not pad.is_running
 
 
@@ -224,14 +219,14 @@ def test_the_picture_of_a_turtlesim_is_beside_the_buttons_and_follows(sim, turtl
         later=waiting,
         view=turtle,
     )
-    box, beside = pad.widget.children
-    waiting.wait()
-    before = beside.value
+    front = pad.widget
+    before = front.picture["svg"]
     assert before.startswith("<svg")
-    Window(box).click("↑")
+    pad.hear({"press": "up"})
     waiting.go()
-    assert waiting.wait() == [0.05]
-    assert beside.value != before
+    assert waiting.wait() == [0.1]
+    assert front.picture["svg"] != before
+    assert before != pad._repr_html_()[: len(before)]
 
 
 def test_a_live_view_is_beside_the_buttons(sim):

@@ -2,8 +2,8 @@ from __future__ import annotations
 
 from types import SimpleNamespace
 
-from simkit.viz import kernel_loop
-from simkit.viz.kernel_loop import KernelLoop
+from simkit.viz.widgets import kernel_loop
+from simkit.viz.widgets.kernel_loop import KernelLoop
 
 
 class Loop:
