@@ -33,6 +33,8 @@ REGISTRIES = re.compile(
     rf"{'py'}thonhosted|{'py'}pi\.org|(?:index(?:-url)?|find-links)[ =]+{'ht'}tp|https?://[^\s/]*"
     rf"(?:{'art'}ifact|{'nex'}us|{'reg'}istry|{'mir'}ror|{'pro'}xy)[^\s/]*/"
 )
+MOST_LINES = 300
+LONGER = {"simkit/simulation/simulation.py": "a line for each flat name of a simulation"}
 INVENTED = {"ada", "student", "me", "you", "user", "someone", "nobody", "name"}
 """Users that examples and attacks speak of; they are on no machine."""
 
@@ -151,6 +153,20 @@ def test_each_dependency_says_why_it_is_there() -> None:
     lines = [line for line in PYPROJECT.splitlines() if re.match(r'\s+"[\w-]+[>=<~!]', line)]
     assert len(lines) == len(requirements("setup", "dev"))
     assert [line for line in lines if not re.search(r'",\s*# \S+ \S+', line)] == []
+
+
+# -- size
+
+
+def test_no_module_is_longer_than_a_few_screens(texts: dict[str, str]) -> None:
+    ours = re.compile(r"(simkit|grader|exercises/oracles)/.*\.py")
+    lengths = {path: text.count("\n") for path, text in texts.items() if ours.fullmatch(path)}
+    long = {
+        path: f"{count} lines"
+        for path, count in lengths.items()
+        if count > MOST_LINES and path not in LONGER
+    }
+    broken_laws(long, f"at most {MOST_LINES} lines: which two ideas are in it? Do not pack lines")
 
 
 # -- commands
