@@ -50,7 +50,7 @@ class Tree:
         program, *words = [word.strip("'\"") for word in re.findall(r'"[^"]*"|\S+', command)]
         start = {
             "pytest": ["-m", "pytest", "-q"],
-            "grader": ["-m", "grader.cli"],
+            "grader": ["-P", "-m", "grader.cli"],
             "python": [],
         }[program]
         # An exercise adds no code: the installed grader looks at the copy, and its nodes find their simkit.
