@@ -6,92 +6,141 @@ import weakref
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from simkit.viz.page.html import inline_frame
+from simkit.viz.live_view import running_notebook
 from simkit.viz.page.live_state import LiveNews, NewsSource
-from simkit.viz.page.scene_data import scene_data
-from simkit.viz.page.view_page import page_height, view_page
+from simkit.viz.page.scene_data import scene_data, summary
+from simkit.viz.page.view_page import LIVE_STATUS, view_page
+from simkit.viz.still.picture import still_image
+from simkit.viz.widgets.panel import SavedStill
 
 if TYPE_CHECKING:
     from simkit.viz.page.live_server import LiveServer
-
-
-_STATUS = '<p id="live" class="quiet" role="status">connecting to the simulation ...</p>'
-_STATUS_HEIGHT = 40
+    from simkit.viz.widgets.scene_widget import SceneWidget
 
 
 class LiveRviz:
     """Frames and robot as they are now, in a notebook or in a window of the browser.
 
-    A small server on 127.0.0.1 tells the page what has moved, at most thirty times a second. Where
-    the browser does not reach this computer (JupyterHub, Colab), the page stays as it was at first.
-    What is shown never reaches the simulation.
+    In a notebook it is a widget, which hears over the notebook's own channel what has moved: no port is
+    opened, so that it also works on JupyterHub, on Colab and in an editor. For a terminal, `url` starts a small
+    server on 127.0.0.1, which tells the page what has moved at most thirty times a second. What is shown
+    never reaches the simulation.
 
     Args:
         source: Where the scenes come from.
-        is_over: Asked before each look; the server ends when it holds.
+        is_over: Asked before each look; the view ends when it holds.
 
     Attributes:
         settings: What is to be seen.
-
-    Raises:
-        SimkitError: There is no port for the server.
     """
 
     def __init__(self, source: NewsSource, *, is_over: Callable[[], bool] = lambda: False) -> None:
-        from simkit.viz.page.live_server import LiveServer
-
         self.settings: object = source.settings
         self._source = source
         self._is_over = is_over
-        self._news = LiveNews(source)
-        self._server: LiveServer = LiveServer(self._news.state)
-        self._server.page = self.to_html()
-        # Also at the end of the interpreter, and when nobody has the simulation any more.
-        self._end = weakref.finalize(self, self._server.close)
+        self._has_ended = False
+        self._server: LiveServer | None = None
+        self._news: LiveNews | None = None
+        self._widget: SceneWidget | None = None
+        self._still: SavedStill | None = None
 
     @property
     def url(self) -> str:
-        """Address of the view, for a browser on this computer."""
-        return self._server.url
+        """Address of the view, for a browser on this computer; the first question starts its server.
+
+        Raises:
+            SimkitError: There is no port for the server.
+        """
+        return self._started().url
+
+    @property
+    def widget(self) -> SceneWidget:
+        """The view as a widget of a notebook, to be put into a box beside others."""
+        if self._widget is None:
+            from simkit.viz.widgets.scene_widget import SceneWidget
+
+            self._widget = SceneWidget(self._source)
+            if not self.alive:
+                self._widget.end()
+        return self._widget
 
     @property
     def alive(self) -> bool:
         """Whether it still follows."""
-        return self._server.alive
+        return not self._has_ended and (self._server is None or self._server.alive)
 
-    def refresh(self) -> None:
-        """Look at the simulation, and tell the viewers; returns at once."""
-        if not self._server.alive:
+    def refresh(self, *, now: bool = False) -> None:
+        """Look at the simulation, and tell the viewers; returns at once.
+
+        Args:
+            now: Also if a notebook was told something a moment ago.
+        """
+        if not self.alive:
             return
         if self._is_over():
             self.close()
             return
-        self._server.update(self._news.look())
+        if self._server is not None and self._news is not None:
+            self._server.update(self._news.look())
+        if self._widget is not None:
+            self._widget.refresh(now=now)
 
     def close(self) -> None:
-        """End the server; the pages stay as they are."""
-        self._end()
+        """End the server and the widget; what they show stays as it is."""
+        if self._widget is not None and not self._has_ended:
+            self._widget.refresh(now=True)
+            self._widget.end()
+        self._has_ended = True
+        if self._server is not None:
+            self._end()
+
+    def _started(self) -> LiveServer:
+        if self._server is None:
+            from simkit.viz.page.live_server import LiveServer
+
+            self._news = LiveNews(self._source)
+            self._server = LiveServer(self._news.state)
+            # Also at the end of the interpreter, and when nobody has the simulation any more.
+            self._end = weakref.finalize(self, self._server.close)
+            self._server.page = self.to_html()
+        return self._server
 
     def to_html(self) -> str:
         """The page, with the scene as it is now."""
         scene = self._source.scene()
-        data = {**scene_data(scene), "socket": self._server.socket_url}
+        data = {**scene_data(scene), "socket": self._started().socket_url}
         return view_page(
             scene,
             data=data,
-            controls=[_STATUS],
+            controls=[LIVE_STATUS],
             scripts=["live", "rviz_live"],
-            connects_to=self._server.socket_url,
+            connects_to=self._started().socket_url,
         )
 
     def __repr__(self) -> str:
         if not self.alive:
             return f"{type(self).__name__}(ended)"
+        if self._server is None and running_notebook() is not None:
+            return f"{type(self).__name__}({summary(self._source.scene())!r})"
         return f"{type(self).__name__}({self.url})"
 
-    def _repr_html_(self) -> str:
-        height = page_height(self._news.scene) + _STATUS_HEIGHT
-        return inline_frame(self.to_html(), title=self._news.scene.window.title, height=height)
+    def _ipython_display_(self) -> None:
+        shell = running_notebook()
+        if shell is None:
+            raise NotImplementedError  # IPython falls back to the text
+        self._still = self._still or SavedStill(self._still_html, self._still_text)
+        self._still.show(self.widget)
+        # The last moment of a cell must not be lost to the pause.
+        shell.events.register("post_run_cell", self._after_cell)
+
+    def _after_cell(self, *_: object) -> None:
+        self.refresh(now=True)
+
+    def _still_text(self) -> str:
+        return summary(self._source.scene())
+
+    def _still_html(self) -> str:
+        return still_image(self._source.scene())
 
 
 class LiveWorld(LiveRviz):

@@ -9,6 +9,7 @@ from simkit.viz.page.html import inline_frame
 from simkit.viz.page.scene_data import summary
 from simkit.viz.page.view_page import page_height, rviz_page
 from simkit.viz.stage.scene import Scene
+from simkit.viz.still.picture import still_image
 
 SMALL_SIZE = (360.0, 225.0)
 """Width and height of a thumbnail [px]."""
@@ -74,8 +75,14 @@ class RvizView:
 
     def _repr_html_(self) -> str:
         return inline_frame(
-            self.to_html(), title=self.scene.window.title, height=page_height(self.scene)
+            self.to_html(),
+            title=self.scene.window.title,
+            height=page_height(self.scene),
+            still=still_image(self.scene),
         )
+
+    def _repr_png_(self) -> bytes:
+        return self.to_png(scale=1)
 
 
 class WorldView(RvizView):

@@ -150,6 +150,11 @@ class Lab:
         self._url = url
         self._folder = folder
 
+    @property
+    def folder(self) -> Path:
+        """Where the notebook is saved."""
+        return self._folder
+
     def write(self, path: str, text: str) -> None:
         """Put a file beside the notebook."""
         file = self._folder / path

@@ -56,7 +56,7 @@ def escaped(text: str) -> str:
     return html.escape(printable(text))
 
 
-def inline_frame(page: str, *, title: str, height: int) -> str:
+def inline_frame(page: str, *, title: str, height: int, still: str = "") -> str:
     """A page as part of another, e.g. of a notebook, with scripts that reach nothing around it.
 
     A script beside it tells it whether it is light or dark around it. Where such scripts may not
@@ -66,11 +66,14 @@ def inline_frame(page: str, *, title: str, height: int) -> str:
         page: The whole HTML.
         title: What it shows, for screen readers.
         height: Its height [px]; it is as wide as its surroundings.
+        still: HTML of a picture that lies under the page, and is seen where frames are left out of
+            notebooks, as on the web pages of repositories; empty if there is none.
     """
     return (
+        f'<div style="position:relative;min-height:{height}px;overflow:hidden">{still}'
         f'<iframe srcdoc="{html.escape(page)}" title="{escaped(title)}" '
         f'sandbox="allow-scripts" width="100%" height="{height}" '
-        'style="border:0;display:block"></iframe>'
+        'style="border:0;display:block;position:absolute;top:0;left:0;background:canvas"></iframe></div>'
         f"<script>\n{_asset('around.js')}</script>"
     )
 

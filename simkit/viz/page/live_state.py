@@ -69,6 +69,16 @@ class State:
             return f'{{"scene":{self.scene},"news":{text}}}'
         return f'{{"news":{text}}}' if news else None
 
+    def moment(self) -> str:
+        """Where everything is now as JSON, for whoever has the scene of this number."""
+        news = {
+            "poses": dict(enumerate(self.poses)),
+            "marks": [moment_data(one) for one in self.marks],
+        }
+        return json.dumps(
+            {"number": self.number, "news": news}, allow_nan=False, separators=(",", ":")
+        )
+
 
 class LiveNews:
     """Follows a scene, with little to do when nothing but poses has changed.

@@ -42,6 +42,8 @@ def packed_library() -> str:
 TITLE: Final = "RViz"
 SCRIPTS: Final = ("rviz_camera", "rviz_names", "rviz_marks", "rviz_scene", "rviz_words", "rviz")
 """The scripts of every view, in their order."""
+LIVE_STATUS: Final = '<p id="live" class="quiet" role="status">connecting to the simulation ...</p>'
+"""The line below a live view; its scripts say there whether it follows."""
 _STILL_SIZE: Final[Point] = (720.0, 450.0)
 _ROLE_WORDS: Final = {
     Role.COLLISION: "Collision",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import html
 from collections.abc import Iterator
 from typing import Final
 
@@ -30,6 +32,13 @@ def still_png(scene: Scene, *, scale: int = 2) -> bytes:
     """
     pixels = scene_pixels(scene, size=SIZE, scale=scale)
     return png_bytes(still_drawing(scene), scale=scale, pixels=pixels)
+
+
+def still_image(scene: Scene) -> str:
+    """The picture as an element of HTML, with words for those who do not see it."""
+    data = base64.b64encode(still_png(scene, scale=1)).decode("ascii")
+    words = html.escape(f"{scene.window.title}: {summary(scene)}")
+    return f'<img alt="{words}" src="data:image/png;base64,{data}" style="max-width:100%">'
 
 
 def still_drawing(scene: Scene) -> Drawing:

@@ -1,4 +1,5 @@
-"""Widgets of a notebook that move a robot by hand: a teleop pad, sliders for joints and for a trajectory controller.
+"""Widgets of a notebook, over its own channel: no port is opened.
 
-A `panel` is what they share: it talks with its script in the browser over the notebook's own channel.
+`scene_widget` shows a scene that moves; a teleop pad and sliders for joints and for a trajectory controller move a
+robot by hand, beside it. A `panel` is what the latter share: it talks with its script in the browser.
 """

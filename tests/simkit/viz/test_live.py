@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 import gc
-import html
+import json
 import re
 import weakref
 
@@ -10,6 +10,7 @@ import pytest
 from simkit.graph.params import ParameterServer
 from simkit.packages import PackagePath
 from simkit.viz import LiveRviz, RvizSettings, SceneSource
+from simkit.viz.widgets.scene_widget import LEAST_PAUSE, SceneWidget
 
 START = 1_600_088_400
 
@@ -37,10 +38,34 @@ def test_the_page_may_talk_to_its_server_and_to_nobody_else(live, read_page):
     assert page.by_id("live")[1]["role"] == "status"
 
 
-def test_a_notebook_shows_the_page_as_it_is_now(live, turtles):
+def test_the_widget_of_a_notebook_opens_no_port(source, turtles, read_page):
+    live = LiveRviz(source)
+    page = read_page(live.widget.page)
+    assert page.data["socket"] == ""
+    (policy,) = [a["content"] for tag, a in page.tags if "http-equiv" in a]
+    assert "connect-src" not in policy
+    assert live._server is None
+    live.refresh(now=True)
+    assert live.widget.scene == ""
     turtles.put("world", "late", START)
-    (source,) = re.findall(r'srcdoc="([^"]*)"', live._repr_html_())
-    assert '"label":"late"' in html.unescape(source)
+    live.refresh(now=True)
+    assert '"label":"late"' in live.widget.scene
+    assert json.loads(live.widget.moment)["number"] == json.loads(live.widget.scene)["number"] == 1
+    live.close()
+    assert "over" in live.widget.status
+    assert live._server is None
+
+
+def test_a_widget_is_not_told_more_often_than_a_notebook_can_take(source, turtles):
+    now = [0.0]
+    widget = SceneWidget(source, clock=lambda: now[0])
+    moments = []
+    for step in range(10):
+        turtles.put("world", "turtle1", START + step, (step, 0, 0))
+        now[0] += LEAST_PAUSE / 2
+        widget.refresh()
+        moments.append(widget.moment)
+    assert 4 <= len(set(moments)) <= 6
 
 
 def test_it_tells_its_address(live):
@@ -69,6 +94,7 @@ def test_it_ends_when_that_which_it_belongs_to_is_over(source):
 
 def test_one_that_nobody_has_any_more_ends(source):
     view = LiveRviz(source)
+    assert view.url
     server = view._server
     gone = weakref.ref(view)
     del view

@@ -1,6 +1,6 @@
 // Runs in a notebook, not in our page: tells the frame before it whether the ground around it is light or dark.
 (() => {
-  const frame = document.currentScript?.previousElementSibling;
+  const frame = document.currentScript?.previousElementSibling?.querySelector("iframe");
   if (!frame) return;
   const clear = /^(transparent|rgba\(.*, 0\))$/;
 

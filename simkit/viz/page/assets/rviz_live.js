@@ -1,4 +1,4 @@
-// Follows a simulation: its server tells what has moved. See live_news.py.
+// Follows a simulation: its server, or the widget around the page, tells what has moved. See live_state.py.
 (() => {
   const place = element("live");
   let told = 0;
@@ -23,5 +23,24 @@
   const unreachable = "Not live: this browser does not reach the computer where the simulation runs (as on JupyterHub or " +
     "Colab), or the simulation is over. This is how it was when the view was made; " +
     `${view.scene.command} shows how it is now.`;
-  follow(view.scene.socket, { hear, say: (words) => { place.textContent = words; }, unreachable });
+  const say = (words) => { place.textContent = words; };
+  if (view.scene.socket) follow(view.scene.socket, { hear, say, unreachable });
+  else listen(say);
+
+  // The widget tells of a scene before the moments that belong to it.
+  function listen(say) {
+    let number = 0;
+    addEventListener("message", ({ data, source }) => {
+      if (source !== parent) return;
+      if (data?.live) say("live: follows the simulation");
+      if (data?.scene) {
+        const found = JSON.parse(data.scene);
+        ({ number } = found);
+        hear(found);
+      }
+      const moment = data?.moment && JSON.parse(data.moment);
+      if (moment?.number === number) hear(moment);
+      if (data?.status) say(data.status);
+    });
+  }
 })();
