@@ -10,12 +10,12 @@ import nbformat
 BEGIN = """
 from simkit import Simulation
 sim = Simulation(screen=None)
-sim.rosrun("tf2_ros", "static_transform_publisher", "1 0 0 0 0 0 world one")
+sim.rosrun("tf2_ros", "static_transform_publisher", *"1 0 0 0 0 0 world one".split())
 sim.run(0.5)
 view = sim.rviz(live=True)
 view
 """
-MORE = 'sim.rosrun("tf2_ros", "static_transform_publisher", "0 2 0 0 0 0 world two"); sim.run(0.5)'
+MORE = 'sim.rosrun("tf2_ros", "static_transform_publisher", *"0 2 0 0 0 0 world two".split()); sim.run(0.5)'
 FRAME = "document.querySelector('.jp-OutputArea-output iframe[sandbox]')"
 
 
