@@ -8,7 +8,7 @@ to the link that is named; gazebo_ros_api_plugin for namespaces.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -72,11 +72,13 @@ class Attachments:
     Args:
         node: The node that they speak through.
         world: The world that calls their hooks.
+        base_ns: What the time of the graph is when that of the world is 0 [ns].
     """
 
-    def __init__(self, node: Node, world: World) -> None:
+    def __init__(self, node: Node, world: World, base_ns: Callable[[], int]) -> None:
         self._node = node
         self._world = world
+        self._base_ns = base_ns
 
     def attach(
         self,
@@ -122,6 +124,7 @@ class Attachments:
         """Take a plugin off its model."""
         for hook, calls in self._hooks(plugin):
             calls.remove(hook)
+            self._world.due.pop(hook, None)
         plugin.on_detach()
 
     def _entry(self, site: Site) -> PluginEntry | None:
@@ -165,6 +168,8 @@ class Attachments:
             return None
         for hook, calls in self._hooks(plugin):
             calls.append(hook)
+            if plugin.overrides("due_ns"):
+                self._world.due[hook] = lambda: plugin.due_ns - self._base_ns()
         return plugin
 
     def _hooks(self, plugin: Plugin[Any]) -> list[tuple[Any, Any]]:

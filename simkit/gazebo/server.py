@@ -55,7 +55,7 @@ class Gazebo:
         """Called whenever the world is about to move on: who needs its hooks may put them in or out here."""
         self.paused = paused
         self._spawned: dict[str, Spawned] = {}
-        self._attachments = Attachments(node, self.world)
+        self._attachments = Attachments(node, self.world, lambda: self._base_ns)
         self._executor = node.graph.executor
         self._base_ns = self._executor.now_ns
         self.world.tell_time(self._passed)

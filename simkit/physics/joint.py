@@ -153,14 +153,17 @@ class ModelJoint:
             velocity: Speed [rad/s or m/s].
             effort: Largest torque or force of the motor [N m or N]; the joint's own limit if None.
         """
+        bound = self.plan.effort if effort is None else abs(_number(effort, self.name))
+        wanted = (Mode.VELOCITY, bound, self._checked(velocity))
+        if wanted == (self.mode, self._bound, self._target):
+            return  # as it is: nothing stirs
         self._switch(Mode.VELOCITY, dart().dynamics.ActuatorType.SERVO)
         self._ties.driven.add(self.name)
-        bound = self.plan.effort if effort is None else abs(_number(effort, self.name))
         if bound != self._bound:
             self._bound = bound
             self._joint.setForceLowerLimit(0, -bound)
             self._joint.setForceUpperLimit(0, bound)
-        self._target = self._checked(velocity)
+        self._target = wanted[2]
         self._joint.setCommand(0, self._target)
         self._ties.stirred()
 

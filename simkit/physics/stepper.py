@@ -42,6 +42,7 @@ class Stepper:
         self.passed: Callable[[int], None] | None = None
         self.before: list[Callable[[], None]] = []
         self.after: list[Callable[[], None]] = []
+        self.due: dict[Callable[[], None], Callable[[], int]] = {}
         self.busy: dict[int, ModelJoint] = {}
         self.watches: dict[str, Watch] = {}
         self.pushed: list[Any] = []
@@ -98,7 +99,7 @@ class Stepper:
 
         Args:
             steps: How many.
-            stop: Asked after each step in which a hook was called; True ends it.
+            stop: Asked after each step in which a hook may have been called; True ends it.
 
         Raises:
             PhysicsError: It is called by something that is called in a step.
@@ -114,11 +115,12 @@ class Stepper:
                     self.touching.refresh()
                 if self._count % LOOK_EVERY == 0:
                     self._look()
-                burst = min(steps, LOOK_EVERY - self._count % LOOK_EVERY) if self._is_quiet() else 1
-                if burst == 1:
-                    self._attend()
-                else:
+                burst = self._burst(min(steps, LOOK_EVERY - self._count % LOOK_EVERY))
+                if burst > 1:
                     self._hurry(burst)
+                    self._call(self.after)
+                else:
+                    self._attend()
                 steps -= burst
                 if stop is not None and stop():
                     break
@@ -132,11 +134,29 @@ class Stepper:
                 self._to_lift, self._patience = LOOK_EVERY + 1, LONGEST
                 watch.careful.start()
 
-    def _is_quiet(self) -> bool:
-        """Whether the engine can make the next steps alone."""
-        if self.before or self.after or self.busy or self.pushed or self._to_lift:
-            return False
-        return all(watch.is_quiet for watch in self.watches.values())
+    def _burst(self, most: int) -> int:
+        """How many of the next steps the engine can make in one go."""
+        if self.busy or self.pushed or self._to_lift:
+            return 1
+        if not all(watch.is_quiet for watch in self.watches.values()):
+            return 1
+        for hook in self.before:
+            most = min(most, self._steps_until(hook))
+        for hook in self.after:
+            most = min(most, self._steps_until(hook))
+        return max(most, 1)
+
+    def _steps_until(self, hook: Callable[[], None]) -> int:
+        """Steps until a hook has something to do."""
+        due = self.due.get(hook)
+        return 0 if due is None else -((self.time_ns - due()) // self.step_ns)
+
+    def _call(self, hooks: list[Callable[[], None]]) -> None:
+        """Call the hooks that are due."""
+        for hook in tuple(hooks):
+            due = self.due.get(hook)
+            if due is None or due() <= self.time_ns:
+                hook()
 
     def _hurry(self, steps: int) -> None:
         """Steps that need nothing but the engine."""
@@ -172,16 +192,14 @@ class Stepper:
 
     def _attend(self) -> None:
         """One step, with all that belongs to it."""
-        for hook in tuple(self.before):
-            hook()
+        self._call(self.before)
         for joint in self.busy.values():
             joint.before_step(self._step_s)
         for watch in self.watches.values():
             watch.model.brakes.act(self._step_s)
         self._hurry(1)
         self._tidy()
-        for hook in tuple(self.after):
-            hook()
+        self._call(self.after)
 
     def _tidy(self) -> None:
         for joint in tuple(self.busy.values()):

@@ -75,13 +75,21 @@ class World:
 
     @property
     def before_step(self) -> list[Callable[[], None]]:
-        """Called before each step, in this order, with the clock at its beginning."""
+        """Called before each step in which they are `due`, in this order, with the clock at its beginning."""
         return self._stepper.before
 
     @property
     def after_step(self) -> list[Callable[[], None]]:
-        """Called after each step, in this order, with the clock at its end."""
+        """Called after each step in which they are `due`, in this order, with the clock at its end."""
         return self._stepper.after
+
+    @property
+    def due(self) -> dict[Callable[[], None], Callable[[], int]]:
+        """Of hooks that need not be called in each step: the time from which on they have something to do [ns].
+
+        Where all hooks name it, the engine makes the steps in between without Python.
+        """
+        return self._stepper.due
 
     @property
     def models(self) -> Mapping[str, Model]:

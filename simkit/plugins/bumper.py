@@ -15,7 +15,7 @@ from simkit.msgs import Time, message_class
 from simkit.physics import Contact, Side
 from simkit.plugins.naming import resolve_frame, tf_prefix
 from simkit.plugins.parameters import place
-from simkit.plugins.plugin import Plugin
+from simkit.plugins.plugin import NEVER, Plugin
 from simkit.plugins.sensor_rate import SensorRate
 from simkit.plugins.sensor_tag import SensorTag, read_sensor, warn_of_strangers
 from simkit.plugins.site import Site
@@ -52,6 +52,11 @@ class Bumper(Plugin[BumperParameters]):
         self._publisher = self.site.node.advertise(
             topic, message_class("gazebo_msgs/ContactsState"), queue_size=1
         )
+
+    @property
+    def due_ns(self) -> int:
+        """Each step while someone listens: it collects what touches."""
+        return 0 if self._publisher.num_connections or self._waiting else NEVER
 
     def after_step(self) -> None:
         """Look what touches, and publish if it is time, while someone listens."""

@@ -72,6 +72,11 @@ class DiffDrive(Plugin[DiffDriveParameters]):
         self._say(f"Subscribe to {self.parameters.command_topic}")
         self._begin()
 
+    @property
+    def due_ns(self) -> int:
+        """Each period; with encoders each step, since they count in each."""
+        return self._rate.due_ns if self._encoder is None else 0
+
     def after_step(self) -> None:
         """Count what the wheels rolled; if it is time, report and obey."""
         if self._encoder is not None:

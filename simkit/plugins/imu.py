@@ -19,7 +19,7 @@ from simkit.plugins.errors import PluginError
 from simkit.plugins.imu_message import imu_message
 from simkit.plugins.noise import generator
 from simkit.plugins.parameters import place
-from simkit.plugins.plugin import Plugin
+from simkit.plugins.plugin import NEVER, Plugin
 from simkit.plugins.site import Site
 from simkit.plugins.tag_texts import read_triple, read_turn, topic_at_root
 from simkit.plugins.tags import ImuParameters
@@ -69,14 +69,16 @@ class Imu(Plugin[ImuParameters]):
             "where a real IMU says 9.8 m/s^2 upward. libgazebo_ros_imu_sensor.so has it"
         )
 
+    @property
+    def due_ns(self) -> int:
+        """Each period, if someone listens."""
+        return self._last_ns + self._period_ns if self._has_listener else NEVER
+
     def before_step(self) -> None:
         """Publish, if someone listens and it is time."""
-        publisher = self._publisher
-        if publisher is None or not publisher.num_connections:
-            return
         now_ns = self.site.now_ns
-        if now_ns - self._last_ns >= self._period_ns:
-            publisher.publish(self._message(now_ns))
+        if self._has_listener and now_ns - self._last_ns >= self._period_ns:
+            self._publisher.publish(self._message(now_ns))
             self._last_ns = now_ns
 
     def on_reset(self) -> None:
@@ -91,6 +93,10 @@ class Imu(Plugin[ImuParameters]):
         for endpoint in (self._publisher, self._service):
             if endpoint is not None:
                 endpoint.unregister()
+
+    @property
+    def _has_listener(self) -> bool:
+        return self._publisher is not None and self._publisher.num_connections > 0
 
     def _generator(self) -> np.random.Generator:
         return generator(self.site.seed("imu", self.site.name))

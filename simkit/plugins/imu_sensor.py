@@ -16,7 +16,7 @@ from simkit.plugins.imu_message import imu_message
 from simkit.plugins.imu_tag import AxisNoise
 from simkit.plugins.naming import topic_of
 from simkit.plugins.noise import generator
-from simkit.plugins.plugin import Plugin
+from simkit.plugins.plugin import NEVER, Plugin
 from simkit.plugins.sensor_rate import SensorRate
 from simkit.plugins.sensor_tag import read_sensor, sensor_pose
 from simkit.plugins.site import Site
@@ -57,6 +57,13 @@ class ImuSensor(Plugin[ImuSensorParameters]):
         self._publisher = self.site.node.advertise(
             topic, message_class("sensor_msgs/Imu"), queue_size=1
         )
+
+    @property
+    def due_ns(self) -> int:
+        """When it measures next, if someone listens; at once if it has to forget what it measured."""
+        if self._publisher.num_connections:
+            return self._measures.due_ns
+        return NEVER if self._before is None else 0
 
     def after_step(self) -> None:
         """Measure, and publish if it is time, while someone listens."""

@@ -60,6 +60,11 @@ class JointStatePublisher(Plugin[JointStatePublisherParameters]):
         self._publisher = site.node.advertise(self._topic, message_class("sensor_msgs/JointState"))
         self._begin()
 
+    @property
+    def due_ns(self) -> int:
+        """Each period."""
+        return self._rate.due_ns
+
     def after_step(self) -> None:
         """Publish, if it is time."""
         if self._rate.is_due(self.site.now_ns):

@@ -17,7 +17,7 @@ from simkit.physics import MISS
 from simkit.plugins.beams import Floats, directions, read_ray, resampled
 from simkit.plugins.naming import resolve_frame, tf_prefix, topic_of
 from simkit.plugins.noise import Noise
-from simkit.plugins.plugin import Plugin
+from simkit.plugins.plugin import NEVER, Plugin
 from simkit.plugins.sensor_rate import SensorRate
 from simkit.plugins.sensor_tag import read_sensor, sensor_pose
 from simkit.plugins.site import Site
@@ -73,13 +73,15 @@ class Laser(Plugin[LaserParameters]):
             topic = topic_of(self.site, "topicName", self.parameters.topic)
             self._publisher = self.site.node.advertise(topic, self._scan, queue_size=1)
 
+    @property
+    def due_ns(self) -> int:
+        """When it measures next, if someone listens."""
+        return self._rate.due_ns if self._has_listener else NEVER
+
     def after_step(self) -> None:
         """Measure, if someone listens and it is time."""
-        publisher = self._publisher
-        if publisher is None or not publisher.num_connections:
-            return
-        if self._rate.is_due(self.site.now_ns):
-            publisher.publish(self._message())
+        if self._has_listener and self._rate.is_due(self.site.now_ns):
+            self._publisher.publish(self._message())
 
     def on_reset(self) -> None:
         """The same noise again."""
@@ -99,6 +101,10 @@ class Laser(Plugin[LaserParameters]):
         points = np.full_like(starts, np.nan)
         points[seen] = starts[seen] + ways[seen] * (ranges[seen] - self.ray.near)[:, None]
         return Sight(points, self._masked(ranges), np.where(seen, targets, MISS))
+
+    @property
+    def _has_listener(self) -> bool:
+        return self._publisher is not None and self._publisher.num_connections > 0
 
     def _cast(self) -> tuple[Floats, Floats, Floats, NDArray[np.intp]]:
         """Where beams start, where they go, how far they get from the sensor, and what they hit."""

@@ -16,7 +16,7 @@ from simkit.plugins.naming import resolve_frame, tf_prefix, topic_of
 from simkit.plugins.noise import generator
 from simkit.plugins.odometry import diagonal
 from simkit.plugins.parameters import place
-from simkit.plugins.plugin import Plugin
+from simkit.plugins.plugin import NEVER, Plugin
 from simkit.plugins.site import Site
 from simkit.plugins.tag_texts import read_triple, read_turn
 from simkit.plugins.tags import P3dParameters
@@ -61,6 +61,11 @@ class P3d(Plugin[P3dParameters]):
         self._frame = resolve_frame(self.parameters.frame_name, tf_prefix(site))
         self._publisher = site.node.advertise(self._topic, message_class("nav_msgs/Odometry"))
         self._begin()
+
+    @property
+    def due_ns(self) -> int:
+        """Each period, if someone listens."""
+        return self._last_ns + self._period_ns if self._publisher.num_connections else NEVER
 
     def after_step(self) -> None:
         """Publish, if it is time and somebody listens."""

@@ -10,6 +10,9 @@ HOOKS = ("on_attach", "before_step", "after_step", "on_reset", "on_detach")
 """All hooks; a method of such a name is called by the world, and no other name looks like one."""
 _PREFIXES = ("on_", "before_", "after_")
 
+NEVER = 2**62
+"""Later than any time of a simulation [ns]."""
+
 ParametersT = TypeVar("ParametersT")
 
 
@@ -49,6 +52,15 @@ class Plugin(Generic[ParametersT]):
 
     def after_step(self) -> None:
         """A step has been made."""
+
+    @property
+    def due_ns(self) -> int:
+        """Time of the graph from which on the hooks of a step have something to do [ns]; `NEVER` for never.
+
+        A plugin that works so many times a second says it, and the engine makes the steps in between
+        without Python. One that does not say it is called in each step.
+        """
+        return 0
 
     def on_reset(self) -> None:
         """The world was put back to its beginning; the clock goes on."""

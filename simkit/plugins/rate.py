@@ -22,9 +22,14 @@ class UpdateRate:
         self.elapsed_ns = 0
         """Time that it takes to have passed when it is due: a period, and what is over [ns]."""
 
+    @property
+    def due_ns(self) -> int:
+        """Time from which on it is due [ns]."""
+        return self._last_ns + self.period_ns + 1 if self.period_ns else 0
+
     def is_due(self, now_ns: int) -> bool:
         """Whether it is due; asked once a step."""
-        if now_ns - self._last_ns <= self.period_ns and self.period_ns:
+        if now_ns < self.due_ns:
             return False
         self.elapsed_ns = now_ns - self._last_ns
         self._last_ns = self._last_ns + self.period_ns if self.period_ns else now_ns

@@ -26,9 +26,14 @@ class SensorRate:
         self._last_ns = now_ns
         self._late_ns = 0
 
+    @property
+    def due_ns(self) -> int:
+        """Time from which on it is due [ns]."""
+        return self._last_ns + self.period_ns - self._late_ns
+
     def is_due(self, now_ns: int) -> bool:
         """Whether it is due; asked at most once a step, and only while someone wants to know."""
-        late_ns = now_ns - self._last_ns + self._late_ns - self.period_ns
+        late_ns = now_ns - self.due_ns
         if late_ns < 0:
             return False
         # After a whole period too much there is nothing to make up for: it slept.

@@ -78,6 +78,11 @@ class SkidSteerDrive(Plugin[SkidSteerDriveParameters]):
         )
         self._begin()
 
+    @property
+    def due_ns(self) -> int:
+        """Each period."""
+        return self._rate.due_ns
+
     def after_step(self) -> None:
         """If it is time, report and obey."""
         if self._rate.is_due(self.site.now_ns):

@@ -230,6 +230,38 @@ def test_hooks_are_called_around_each_step_in_order(new_world):
     assert calls == [("a", 0), ("b", 0), ("c", MS), ("a", MS), ("b", MS), ("c", 2 * MS)]
 
 
+def test_a_hook_that_names_its_time_is_called_then_and_in_order(new_world, robot_plan):
+    world = new_world()
+    world.add(robot_plan("car"))
+    calls: list[tuple[str, int]] = []
+
+    def every(name, period_ns):
+        def hook() -> None:
+            calls.append((name, world.time_ns))
+
+        last = [world.time_ns]
+        hooks = world.before_step if name == "before" else world.after_step
+
+        def due() -> int:
+            while last[0] + period_ns < world.time_ns or calls[-1:] == [
+                (name, last[0] + period_ns)
+            ]:
+                last[0] += period_ns
+            return last[0] + period_ns
+
+        hooks.append(hook)
+        world.due[hook] = due
+
+    every("before", 70 * MS)
+    every("a", 35 * MS)
+    every("b", 35 * MS)
+    world.run(100 * MS)
+    assert calls == [
+        *(("a", 35 * MS), ("b", 35 * MS), ("a", 70 * MS), ("b", 70 * MS)),
+        ("before", 70 * MS),
+    ]
+
+
 def test_a_hook_cannot_step(new_world):
     world = new_world()
     world.before_step.append(world.step)

@@ -199,6 +199,17 @@ def test_two_runs_say_the_same_bytes(new_stage, filename):
 
 
 @every_plugin
+@pytest.mark.parametrize("rate", [30.0, 100.0])
+def test_it_says_the_same_if_it_is_called_in_each_step(new_stage, filename, rate):
+    """What it does at the times that it names is all that it does."""
+    plays = [Play(new_stage(seed=3), filename, rate=rate) for _ in range(2)]
+    plays[1].stage.gazebo.world.due.clear()
+    for play in plays:
+        play.stage.run(0.5)
+    assert plays[0].heard == plays[1].heard
+
+
+@every_plugin
 @pytest.mark.parametrize("rate", [20.0, 100.0])
 def test_its_rate_holds(stage, filename, rate):
     play = Play(stage, filename, rate=rate)
@@ -231,12 +242,12 @@ def test_a_reset_puts_it_back(stage, filename):
 @every_plugin
 def test_nothing_of_it_is_left_when_its_model_goes(stage, filename):
     world = stage.gazebo.world
-    hooks = [*world.before_step, *world.after_step]
+    hooks = [*world.before_step, *world.after_step, *world.due]
     play = Play(stage, filename)
     stage.run(0.055)
     stage.gazebo.delete("sample")
     assert endpoints(stage.gazebo.node) == play.before
-    assert [*world.before_step, *world.after_step] == hooks
+    assert [*world.before_step, *world.after_step, *world.due] == hooks
     counts = {topic: len(heard) for topic, heard in play.heard.items()}
     stage.run(0.2)
     assert {topic: len(heard) for topic, heard in play.heard.items()} == counts
