@@ -170,7 +170,7 @@ def show_laser_car() -> None:
 
     pairs = [(bare(), ours()) for _ in range(ROUNDS)]
     ratio = median_of([with_us / alone for alone, with_us in pairs])
-    assert len(scans.messages) > 20 * STEPS / 1000, "the laser is not heard"
+    assert len(scans["/m2wr/laser/scan"]) > 20 * STEPS / 1000, "the laser is not heard"
     name = "car with a laser of 20 Hz: Simulation.run over the engine's own steps in it"
     show(Figure(name, ratio, "x", 1.4))
     simulation.close()

@@ -28,15 +28,13 @@ def hit_box(origins: Floats, directions: Floats, half: tuple[float, float, float
         directions: Where they go.
         half: Half of its lengths [m].
     """
-    entry = np.full(directions.shape[1], -np.inf)
-    leave = np.full(directions.shape[1], np.inf)
+    sides = np.array(half)[:, None]
     with np.errstate(divide="ignore", invalid="ignore"):
-        for origin, direction, side in zip(origins, directions, half, strict=True):
-            inverse = 1.0 / direction
-            one, other = (-side - origin) * inverse, (side - origin) * inverse
-            # fmin and fmax pass over what is no number: 0 * inf, of a ray within a face.
-            np.fmax(entry, np.fmin(one, other), out=entry)
-            np.fmin(leave, np.fmax(one, other), out=leave)
+        inverse = 1.0 / directions
+        one, other = (-sides - origins) * inverse, (sides - origins) * inverse
+        # fmin and fmax pass over NaN: 0 * inf, of a ray within a face.
+        entry = np.fmax.reduce(np.fmin(one, other), axis=0)
+        leave = np.fmin.reduce(np.fmax(one, other), axis=0)
     is_hit = (entry <= leave) & (leave >= 0.0)
     return np.where(is_hit, np.where(entry >= 0.0, entry, leave), np.inf)
 

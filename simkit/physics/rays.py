@@ -8,14 +8,16 @@ hits it from within, as in Gazebo.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from simkit.physics.mesh import TriangleMesh
-from simkit.physics.plan import Plane, Solid
+from simkit.physics.plan import Plane, ShapePlan, Solid
+from simkit.physics.poses import isometry
 from simkit.physics.ray_solids import (
     Floats,
     hit_box,
@@ -24,10 +26,20 @@ from simkit.physics.ray_solids import (
     hit_sphere,
     hit_triangles,
 )
+from simkit.physics.skeleton import Built
 from simkit.urdf.model import Box, Cylinder, Sphere
 
 MISS = -1
 """Number of the target of a ray that hits nothing."""
+
+
+class Ball(NamedTuple):
+    """A ball around a shape, a little larger than needed: what is left over covers rounding."""
+
+    middle: Floats
+    """Its middle in the frame of the shape [m], (3,)."""
+    radius: float
+    """Its radius [m]."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,6 +52,36 @@ class Target:
     """R_world_shape, (3, 3)."""
     origin: Floats
     """Origin of the shape in the world [m], (3,)."""
+    ball: Ball
+    """What a ray passes that hits it."""
+
+
+class RayShapes:
+    """What rays can hit of one model.
+
+    Args:
+        built: The model in the engine.
+    """
+
+    def __init__(self, built: Built) -> None:
+        self.labels = tuple(built.shapes)
+        """Names of its shapes in the engine, in the order of the targets."""
+        self._shapes = [self._seen(node, plan) for node, plan in built.shapes.values()]
+
+    def targets(self) -> Iterator[Target]:
+        """Its shapes where they are now."""
+        for shape, ball, frame, inner in self._shapes:
+            pose = frame.getWorldTransform()
+            matrix = (pose if inner is None else pose.multiply(inner)).matrix()
+            yield Target(shape, matrix[:3, :3], matrix[:3, 3], ball)
+
+    @staticmethod
+    def _seen(node: Any, plan: ShapePlan) -> tuple[Any, Ball, Any, Any]:
+        """What is seen, its ball, the frame of the engine that it is known in, and where it is there."""
+        if plan.mesh is None:
+            return plan.solid, ball_around(plan.solid), node, None
+        frame = node.getBodyNodePtr()
+        return plan.mesh, ball_around(plan.mesh), frame, isometry(plan.mesh_frame)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,28 +95,35 @@ class Hits:
 
 
 def cast(
-    origins: Floats, directions: Floats, *, targets: Sequence[Target], reach: float = math.inf
+    origins: Floats,
+    directions: Floats,
+    *,
+    targets: Sequence[Target],
+    reach: float = math.inf,
+    start: float = 0.0,
 ) -> Hits:
     """Cast rays.
 
     Args:
-        origins: Where they start in the world [m], (n, 3), or (3,) for all.
+        origins: Where they come from in the world [m], (n, 3), or (3,) for all.
         directions: Unit vectors in the world, (n, 3).
         targets: What they may hit.
-        reach: What is farther away is not hit [m].
+        reach: What is farther away from the origin is not hit [m].
+        start: They begin so far from their origin [m].
     """
     ways = np.ascontiguousarray(np.asarray(directions, dtype=np.float64).T)
-    starts = np.ascontiguousarray(np.atleast_2d(np.asarray(origins, dtype=np.float64)).T)
+    points = np.ascontiguousarray(np.atleast_2d(np.asarray(origins, dtype=np.float64)).T)
     distances = np.full(ways.shape[1], np.inf)
     numbers = np.full(ways.shape[1], MISS, dtype=np.intp)
-    for number, passes in enumerate(_passing(starts, ways, targets, reach)):
+    for number, passes in enumerate(_passing(points, ways, targets, reach)):
         near = np.flatnonzero(passes)
         if not near.size:
             continue
         target = targets[number]
         turn = target.rotation.T
-        away = (starts if starts.shape[1] == 1 else starts[:, near]) - target.origin[:, None]
-        found = _hit(target.shape, turn @ away, turn @ ways[:, near])
+        away = (points if points.shape[1] == 1 else points[:, near]) - target.origin[:, None]
+        local = turn @ ways[:, near]
+        found = start + _hit(target.shape, turn @ away + start * local, local)
         is_first = (found < distances[near]) & (found <= reach)
         first = near[is_first]
         distances[first] = found[is_first]
@@ -83,40 +132,38 @@ def cast(
 
 
 def _passing(
-    starts: Floats, ways: Floats, targets: Sequence[Target], reach: float
+    points: Floats, ways: Floats, targets: Sequence[Target], reach: float
 ) -> NDArray[np.bool_]:
     """Whether a ray passes the ball around a target within reach: (targets, rays)."""
-    balls = [_ball(target) for target in targets]
-    middles = np.array([middle for middle, _ in balls]).reshape(-1, 3)
-    radii = np.array([radius for _, radius in balls])[:, None]
-    along = middles @ ways - (starts * ways).sum(axis=0)
-    squares = (middles * middles).sum(axis=1)[:, None] + (starts * starts).sum(axis=0)
-    aside = squares - 2.0 * (middles @ starts) - along * along
-    passes: NDArray[np.bool_] = (aside <= radii * radii) & (along >= -radii)
-    passes &= along - radii <= reach
+    middles = np.array([one.origin + one.rotation @ one.ball.middle for one in targets])
+    radii = np.array([one.ball.radius for one in targets])[:, None]
+    if points.shape[1] == 1:
+        away = middles.reshape(-1, 3) - points.T
+        along = away @ ways
+        squares = (away * away).sum(axis=1)[:, None]
+    else:
+        away = middles.reshape(-1, 3, 1) - points
+        along = (away * ways).sum(axis=1)
+        squares = (away * away).sum(axis=1)
+    passes: NDArray[np.bool_] = along * along >= squares - radii * radii
+    passes &= along >= -radii
+    passes &= along <= reach + radii
     return passes
 
 
-def _ball(target: Target) -> tuple[Floats, float]:
-    """A ball around a shape, a little larger than needed: its middle in the world, and its radius [m].
-
-    What is left over covers the rounding of coordinates of kilometres.
-    """
-    match target.shape:
+def ball_around(shape: Solid | TriangleMesh) -> Ball:
+    """The ball around a shape."""
+    middle, radius = np.zeros(3), math.inf
+    match shape:
         case Box():
-            radius = float(np.linalg.norm(target.shape.size)) / 2.0
+            radius = math.hypot(*shape.size) / 2.0
         case Cylinder():
-            radius = float(np.hypot(target.shape.radius, target.shape.length / 2.0))
+            radius = math.hypot(shape.radius, shape.length / 2.0)
         case Sphere():
-            radius = target.shape.radius
-        case Plane():
-            radius = float("inf")
+            radius = shape.radius
         case TriangleMesh():
-            return (
-                target.origin + target.rotation @ target.shape.middle,
-                target.shape.radius * 1.001,
-            )
-    return target.origin, radius * 1.001
+            middle, radius = shape.middle, shape.radius
+    return Ball(middle, radius * 1.001)
 
 
 def _hit(shape: Solid | TriangleMesh, origins: Floats, directions: Floats) -> Floats:

@@ -18,8 +18,7 @@ from simkit.physics.ground import ground_plan
 from simkit.physics.model import Model
 from simkit.physics.plan import ModelPlan
 from simkit.physics.poses import checked_pose
-from simkit.physics.rays import Hits, cast
-from simkit.physics.sight import Sight
+from simkit.physics.rays import Hits, RayShapes, cast
 from simkit.physics.skeleton import build, shy_pairs
 from simkit.physics.stepper import Stepper
 from simkit.physics.watch import Watch
@@ -51,7 +50,7 @@ class World:
             raise PhysicsError(f"no world has steps of {step_ns} ns and a gravity of {gravity}")
         self._engine = new_engine_world(step_ns * 1e-9, gravity)
         self._models: dict[str, Model] = {}
-        self._sights: dict[str, Sight] = {}
+        self._ray_shapes: dict[str, RayShapes] = {}
         self._owners: dict[str, Owner] = {}
         self._stepper = Stepper(
             self._engine,
@@ -170,7 +169,7 @@ class World:
             self._filter().removeBodyNodePairFromBlackList(bodies[one], bodies[other])
         self._stepper.touching.forget(model)
         self._engine.removeSkeleton(model.built.skeleton)
-        for label in self._sights.pop(name).labels:
+        for label in self._ray_shapes.pop(name).labels:
             del self._owners[label]
         self._stepper.watches.pop(name, None)
         del self._models[name]
@@ -237,34 +236,44 @@ class World:
         return self._stepper.touching.all_contacts()
 
     def cast_rays(
-        self, origins: ArrayLike, directions: ArrayLike, *, reach: float = float("inf")
+        self,
+        origins: ArrayLike,
+        directions: ArrayLike,
+        *,
+        reach: float = float("inf"),
+        start: float = 0.0,
     ) -> Hits:
         """How far rays go before they hit a collision shape, also one of the robot that sends them.
 
         Args:
-            origins: Where they start in the world [m], (n, 3), or (3,) for all.
+            origins: Where they come from in the world [m], (n, 3), or (3,) for all, which is quicker.
             directions: Unit vectors in the world, (n, 3).
-            reach: What is farther away is not hit [m].
+            reach: What is farther away from the origin is not hit [m].
+            start: They begin so far from their origin [m].
 
         Returns:
             Distances, and numbers of what is hit: places in `targets`.
         """
-        targets = [target for sight in self._sights.values() for target in sight.targets()]
+        targets = [target for shapes in self._ray_shapes.values() for target in shapes.targets()]
         return cast(
-            np.asarray(origins, float), np.asarray(directions, float), targets=targets, reach=reach
+            np.asarray(origins, float),
+            np.asarray(directions, float),
+            targets=targets,
+            reach=reach,
+            start=start,
         )
 
     @property
     def targets(self) -> tuple[Owner, ...]:
         """What rays can hit, in the order of the numbers that `cast_rays` gives."""
         return tuple(
-            self._owners[label] for sight in self._sights.values() for label in sight.labels
+            self._owners[label] for shapes in self._ray_shapes.values() for label in shapes.labels
         )
 
     def _enlist(self, model: Model) -> None:
         """Let all parts of the world know of a new model."""
         name, plan, built = model.name, model.plan, model.built
-        self._sights[name] = Sight(built)
+        self._ray_shapes[name] = RayShapes(built)
         for label, (node, shape) in built.shapes.items():
             self._owners[label] = Owner(name, node.getBodyNodePtr().getName(), shape)
         if built.skeleton.getNumDofs() and not plan.is_static:

@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from simkit.geometry import Vector, rotate
 from simkit.msgs import Time, message_class
 from simkit.physics import MISS
 from simkit.plugins.beams import Floats, directions, read_ray, resampled
@@ -96,10 +95,10 @@ class Laser(Plugin[LaserParameters]):
 
     def scan_points(self) -> Sight:
         """What the beams hit now, for views; asking changes nothing."""
-        starts, ways, ranges, targets = self._cast()
+        origin, ways, ranges, targets = self._cast()
         seen = (targets != MISS) & (ranges < self.ray.far)
-        points = np.full_like(starts, np.nan)
-        points[seen] = starts[seen] + ways[seen] * (ranges[seen] - self.ray.near)[:, None]
+        points = np.full_like(ways, np.nan)
+        points[seen] = origin + ways[seen] * ranges[seen][:, None]
         return Sight(points, self._masked(ranges), np.where(seen, targets, MISS))
 
     @property
@@ -107,13 +106,13 @@ class Laser(Plugin[LaserParameters]):
         return self._publisher is not None and self._publisher.num_connections > 0
 
     def _cast(self) -> tuple[Floats, Floats, Floats, NDArray[np.intp]]:
-        """Where beams start, where they go, how far they get from the sensor, and what they hit."""
+        """Where beams come from, where they go, how far they get from there, and what they hit."""
         pose = sensor_pose(self.site, self.sensor)
-        ways = self._fan @ np.array([rotate(pose.rotation, axis) for axis in AXES])
-        starts = np.array(pose.translation) + self.ray.near * ways
-        length = max(0.0, self.ray.far - self.ray.near)
-        hits = self.site.world.cast_rays(starts, ways, reach=length)
-        return starts, ways, self.ray.near + np.minimum(hits.distances, length), hits.targets
+        ways = self._fan @ np.array(pose.matrix).T
+        origin, near = np.array(pose.translation), self.ray.near
+        reach = max(near, self.ray.far)
+        hits = self.site.world.cast_rays(origin, ways, reach=reach, start=near)
+        return origin, ways, np.minimum(hits.distances, reach), hits.targets
 
     def _masked(self, ranges: Floats) -> Floats:
         """Ranges as REP 117 wants them."""

@@ -10,7 +10,7 @@ import pytest
 from simkit.geometry import matrix_from_rpy
 from simkit.physics import MISS, Plane
 from simkit.physics.mesh import TriangleMesh
-from simkit.physics.rays import Hits, Target
+from simkit.physics.rays import Hits, Target, ball_around
 from simkit.physics.rays import cast as cast_at
 from simkit.urdf import Box, Cylinder, Sphere
 
@@ -27,7 +27,7 @@ def fan(count: int = BEAMS, width: float = math.pi) -> np.ndarray:
 
 
 def target(shape, origin=(0.0, 0.0, 0.0), rpy=(0.0, 0.0, 0.0)) -> Target:
-    return Target(shape, np.array(matrix_from_rpy(rpy)), np.array(origin))
+    return Target(shape, np.array(matrix_from_rpy(rpy)), np.array(origin), ball_around(shape))
 
 
 def depth(shape, points: np.ndarray) -> np.ndarray:
