@@ -116,18 +116,17 @@ def cast(
     distances = np.full(ways.shape[1], np.inf)
     numbers = np.full(ways.shape[1], MISS, dtype=np.intp)
     for number, passes in enumerate(_passing(points, ways, targets, reach)):
-        near = np.flatnonzero(passes)
-        if not near.size:
-            continue
+        near: Any = slice(None) if passes.all() else np.flatnonzero(passes)
         target = targets[number]
         turn = target.rotation.T
         away = (points if points.shape[1] == 1 else points[:, near]) - target.origin[:, None]
         local = turn @ ways[:, near]
+        if not local.size:
+            continue
         found = start + _hit(target.shape, turn @ away + start * local, local)
         is_first = (found < distances[near]) & (found <= reach)
-        first = near[is_first]
-        distances[first] = found[is_first]
-        numbers[first] = number
+        distances[near] = np.where(is_first, found, distances[near])
+        numbers[near] = np.where(is_first, number, numbers[near])
     return Hits(distances, numbers)
 
 
