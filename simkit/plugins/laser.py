@@ -22,9 +22,6 @@ from simkit.plugins.sensor_tag import read_sensor, sensor_pose
 from simkit.plugins.site import Site
 from simkit.plugins.tags import LASER_DEFAULT, LaserParameters
 
-AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-"""The axes of a frame."""
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sight:
