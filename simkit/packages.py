@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from simkit.errors import SimkitError, UnknownNameError, near_names
-from simkit.record import Record
 
 MAX_DEPTH = 5
 """How deep below a folder of the path a package may lie."""
@@ -25,7 +25,8 @@ class PackageError(SimkitError):
     """A package is there, but not what was asked of it."""
 
 
-class Package(Record):
+@dataclass(frozen=True, kw_only=True)
+class Package:
     """One ROS package."""
 
     name: str

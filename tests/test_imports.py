@@ -23,13 +23,12 @@ MAY_IMPORT = {
     # pure: no node, no clock
     "simkit.errors": "",
     "simkit.geometry": "",
-    "simkit.record": "",
     "simkit.saving": "simkit.errors",
     "simkit.msgs": "simkit.errors",
     "simkit.tf": "simkit.errors simkit.msgs",
-    "simkit.xml": "simkit.record",
+    "simkit.xml": "",
     "simkit.diagnostics": "simkit.errors simkit.xml",
-    "simkit.urdf": "simkit.errors simkit.record simkit.xml simkit.diagnostics simkit.packages simkit.tf "
+    "simkit.urdf": "simkit.errors simkit.xml simkit.diagnostics simkit.packages simkit.tf "
     "simkit.plugins.tags simkit.plugins.registry",
     # the graph, and what lives on it
     "simkit.graph": "simkit.errors simkit.msgs simkit.graph.process.child",
@@ -54,7 +53,7 @@ MAY_IMPORT = {
     "simkit.urdf simkit.urdf.rules simkit.packages simkit.tools simkit.physics simkit.plugins simkit.plugins.tags",
     "simkit.launch": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
     "simkit.urdf simkit.urdf.rules simkit.packages simkit.nodes simkit.tools simkit.xacro",
-    "simkit.packages": "simkit.errors simkit.record",
+    "simkit.packages": "simkit.errors",
     "simkit.xacro": "simkit.errors simkit.packages",
     "simkit.new_package": "simkit.errors simkit.msgs simkit.nodes simkit.packages",
     "simkit.simulation": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tf.listener simkit.nodes simkit.packages "

@@ -11,13 +11,13 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
+from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, requires, version
 from pathlib import Path
 
 from simkit import __version__
 from simkit.errors import SimkitError
 from simkit.graph.process.start import HAS_FORK
-from simkit.record import Record
 
 DISTRIBUTION = "simkit-workbook"
 TRIAL_SECONDS = 10.0
@@ -26,7 +26,8 @@ _BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
 _NODE = "import rospy\nrospy.init_node('trial')\n"
 
 
-class Finding(Record):
+@dataclass(frozen=True, kw_only=True)
+class Finding:
     """One thing that was looked at."""
 
     what: str

@@ -7,15 +7,15 @@ The module of a command is imported when it is called. It has two functions: `ad
 from __future__ import annotations
 
 import importlib
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
-
-from simkit.record import Record
 
 if TYPE_CHECKING:
     import argparse
 
 
-class Command(Record):
+@dataclass(frozen=True, kw_only=True)
+class Command:
     """One word behind `simkit`."""
 
     name: str

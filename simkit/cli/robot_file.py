@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
 from simkit.errors import SimkitError, near_names
 from simkit.packages import PackagePath
-from simkit.record import Record
 
 MOST_BYTES = 20_000_000
 """No robot is larger; what is, was named by mistake."""
 _PACKAGE = "package://"
 
 
-class RobotFile(Record):
+@dataclass(frozen=True, kw_only=True)
+class RobotFile:
     """A file that was named."""
 
     name: str

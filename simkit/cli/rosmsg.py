@@ -7,15 +7,16 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from simkit import msgs
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.msgs.catalog import message_definition_text, service_definition_texts
 from simkit.msgs.definition_text import message_text, service_text
-from simkit.record import Record
 
 
-class _Kind(Record):
+@dataclass(frozen=True, kw_only=True)
+class _Kind:
     """Messages or services: what differs between the two commands."""
 
     word: str

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from simkit.geometry import Matrix, Transform, Vector
-from simkit.record import Record
 from simkit.urdf.matrix import added, diagonal, eigenvalues, product, transpose
 from simkit.urdf.model import Box, Cylinder, Sphere
 from simkit.urdf.placed_shape import PlacedShape, Primitive, volume
@@ -21,7 +21,8 @@ _FLAT = 1e-9
 "A principal moment that is smaller than this share of the largest one is as good as zero."
 
 
-class Body(Record, kw_only=False):
+@dataclass(frozen=True)
+class Body:
     """How heavy something is, and how hard to turn, seen from some frame a."""
 
     mass: float

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple, TypeAlias
 
 from simkit.geometry import Transform, Vector
-from simkit.record import Record
 from simkit.xml import Document, Element
 
 Rgba: TypeAlias = tuple[float, float, float, float]
@@ -31,14 +31,20 @@ class Pose(NamedTuple):
         return Transform.from_rpy(self.xyz, self.rpy)
 
 
-class Box(Record, kw_only=False):
+IDENTITY_POSE = Pose()
+"""Where what it belongs to is."""
+
+
+@dataclass(frozen=True)
+class Box:
     """A box around its origin."""
 
     size: Vector
     """Lengths along x, y, z [m]."""
 
 
-class Cylinder(Record, kw_only=False):
+@dataclass(frozen=True)
+class Cylinder:
     """A cylinder around its origin, standing along z."""
 
     radius: float
@@ -47,14 +53,16 @@ class Cylinder(Record, kw_only=False):
     """Length along z [m]."""
 
 
-class Sphere(Record, kw_only=False):
+@dataclass(frozen=True)
+class Sphere:
     """A sphere around its origin."""
 
     radius: float
     """Radius [m]."""
 
 
-class Mesh(Record, kw_only=False):
+@dataclass(frozen=True)
+class Mesh:
     """A shape from a file."""
 
     filename: str
@@ -70,7 +78,8 @@ class Mesh(Record, kw_only=False):
 Geometry: TypeAlias = Box | Cylinder | Sphere | Mesh
 
 
-class Material(Record, kw_only=False):
+@dataclass(frozen=True)
+class Material:
     """A named colour, or picture."""
 
     name: str
@@ -81,12 +90,13 @@ class Material(Record, kw_only=False):
     """File name of a picture."""
 
 
-class Visual(Record):
+@dataclass(frozen=True, kw_only=True)
+class Visual:
     """What is seen of a link."""
 
     geometry: Geometry
     """Its shape."""
-    origin: Pose = Pose()
+    origin: Pose = IDENTITY_POSE
     """Where the shape is in the frame of the link."""
     name: str = ""
     """Its name; mostly empty."""
@@ -94,23 +104,25 @@ class Visual(Record):
     """Its material, looked up: of several definitions of a name the first one; None if it has none."""
 
 
-class Collision(Record):
+@dataclass(frozen=True, kw_only=True)
+class Collision:
     """What other things touch of a link."""
 
     geometry: Geometry
     """Its shape."""
-    origin: Pose = Pose()
+    origin: Pose = IDENTITY_POSE
     """Where the shape is in the frame of the link."""
     name: str = ""
     """Its name; mostly empty."""
 
 
-class Inertial(Record):
+@dataclass(frozen=True, kw_only=True)
+class Inertial:
     """How heavy a link is, and how hard to turn."""
 
     mass: float
     """Mass [kg]."""
-    origin: Pose = Pose()
+    origin: Pose = IDENTITY_POSE
     """Its centre of mass, and the axes that the tensor is given in."""
     ixx: float = 0.0
     """About its centre of mass [kg m^2], as all of these."""
@@ -121,7 +133,8 @@ class Inertial(Record):
     izz: float = 0.0
 
 
-class Link(Record):
+@dataclass(frozen=True, kw_only=True)
+class Link:
     """A rigid body."""
 
     name: str
@@ -147,7 +160,8 @@ class JointType(enum.Enum):
     PLANAR = "planar"
 
 
-class Limit(Record):
+@dataclass(frozen=True, kw_only=True)
+class Limit:
     """How far, how strong, how fast."""
 
     lower: float = 0.0
@@ -160,7 +174,8 @@ class Limit(Record):
     """Largest speed [rad/s or m/s]."""
 
 
-class Safety(Record):
+@dataclass(frozen=True, kw_only=True)
+class Safety:
     """Soft limits."""
 
     soft_lower: float = 0.0
@@ -171,7 +186,8 @@ class Safety(Record):
     k_velocity: float
 
 
-class Mimic(Record):
+@dataclass(frozen=True, kw_only=True)
+class Mimic:
     """A joint that follows another: position = multiplier * that of the other + offset."""
 
     joint: str
@@ -181,7 +197,8 @@ class Mimic(Record):
     """[rad or m]."""
 
 
-class Joint(Record):
+@dataclass(frozen=True, kw_only=True)
+class Joint:
     """How a child link hangs on its parent."""
 
     name: str
@@ -192,7 +209,7 @@ class Joint(Record):
     """Link that it hangs on."""
     child: str
     """Link that hangs on it."""
-    origin: Pose = Pose()
+    origin: Pose = IDENTITY_POSE
     """Frame of the child at position 0, in the frame of the parent."""
     axis: Vector = (1.0, 0.0, 0.0)
     """Axis in the frame of the child, as written; not always of unit length."""
@@ -212,7 +229,8 @@ class Joint(Record):
         return self.type in (JointType.REVOLUTE, JointType.CONTINUOUS, JointType.PRISMATIC)
 
 
-class Robot(Record):
+@dataclass(frozen=True, kw_only=True)
+class Robot:
     """A whole robot: a tree of links."""
 
     name: str

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import NamedTuple
@@ -10,7 +11,6 @@ from weakref import WeakSet
 
 from simkit.diagnostics import Diagnostic
 from simkit.packages import PackagePath
-from simkit.record import replace
 from simkit.urdf.meshes import MeshFinder
 from simkit.urdf.model import Joint, Link, Material, Robot
 from simkit.urdf.urdfdom.joints import read_joint

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from simkit.record import Record
+from dataclasses import dataclass
+
 from simkit.xml.letters import NAME, NAME_START, QUOTES, WHITE, Pattern, is_foreign, short, spoken
 
 _NEXT = rf"(?<![ \t])[ \t]++{NAME}[ \t]*+="
@@ -14,7 +15,8 @@ _DOUBLED = Pattern(r"([\"'])\1([^ \t\n<>\"'/][^\n<>\"']*+)\1+")
 _NAME_LENGTH = 200
 
 
-class MissingQuote(Record):
+@dataclass(frozen=True, kw_only=True)
+class MissingQuote:
     """A value without a quotation mark at its end."""
 
     end: int
@@ -23,7 +25,8 @@ class MissingQuote(Record):
     """Where reading goes on."""
 
 
-class Unquoted(Record):
+@dataclass(frozen=True, kw_only=True)
+class Unquoted:
     """A value without quotation marks that XML knows."""
 
     start: int

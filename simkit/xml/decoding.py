@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import codecs
 import re
-
-from simkit.record import Record, replace
+from dataclasses import dataclass, replace
 
 _DECLARED = re.compile(rb"\s*<\?xml\s(?:[^>]*?\s)?encoding\s*=\s*[\"']([A-Za-z][\w.-]*)[\"']")
 _DECLARED_IN_TEXT = r"<\?xml\s(?:[^>]*?\s)?encoding\s*=\s*[\"']([A-Za-z][\w.-]*)[\"']"
@@ -18,7 +17,8 @@ _ASCII = bytes([9, 10, 13, *range(32, 127)])
 _NO_SETS = {"unicode_escape", "raw_unicode_escape", "utf-7", "idna", "punycode", "mbcs", "oem"}
 
 
-class Decoded(Record):
+@dataclass(frozen=True, kw_only=True)
+class Decoded:
     """The text of some bytes."""
 
     text: str

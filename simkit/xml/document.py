@@ -6,9 +6,8 @@ import enum
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import NamedTuple
-
-from simkit.record import Record
 
 
 class Span(NamedTuple):
@@ -92,7 +91,8 @@ class FaultKind(enum.Enum):
     """Elements nested beyond all use; what is deeper is left out."""
 
 
-class Fault(Record):
+@dataclass(frozen=True, kw_only=True)
+class Fault:
     """One thing that is wrong with the text as XML."""
 
     kind: FaultKind
@@ -237,7 +237,8 @@ class Element:
         return f"{self.name}[{twins.index(self) + 1}]" if len(twins) > 1 else self.name
 
 
-class Document(Record):
+@dataclass(frozen=True, kw_only=True)
+class Document:
     """One XML text."""
 
     file: str

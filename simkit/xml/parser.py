@@ -11,8 +11,8 @@ Source:
 from __future__ import annotations
 
 import functools
+from dataclasses import replace
 
-from simkit.record import replace
 from simkit.xml.decoding import Decoded, decode
 from simkit.xml.document import Document, FaultKind
 from simkit.xml.scanner import tokens_of

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from simkit.record import Record
+from dataclasses import dataclass
+
 from simkit.urdf.model import Collision, Geometry, Inertial, Material, Pose, Visual
 from simkit.urdf.urdfdom.log import Log
 from simkit.urdf.urdfdom.numbers import MalformedError, number_of, origin_of
@@ -12,7 +13,8 @@ from simkit.xml import Element
 _TENSOR = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
-class RawVisual(Record):
+@dataclass(frozen=True, kw_only=True)
+class RawVisual:
     """A visual whose material has not been looked up yet."""
 
     geometry: Geometry
