@@ -6,14 +6,13 @@ Source: check_urdf of urdfdom: standard output, and the exit code.
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from simkit.cli.complaint import FAILURE, complain
 from simkit.cli.robot_file import RobotFile, read_file
-from simkit.diagnostics import Diagnostic, Severity, as_json, as_text, summary
+from simkit.diagnostics import Diagnostic, Layout, Severity, as_json, as_text, summary
 from simkit.errors import SimkitError
 from simkit.urdf import check_urdf_text, read_robot
 from simkit.urdf.rules import Companion, CompanionKind, check_robot
@@ -150,20 +149,15 @@ def _text(diagnostics: Sequence[Diagnostic], *, whole: bool) -> str:
     notes = [one for one in diagnostics if one.severity is Severity.NOTE and not whole]
     told = [one for one in diagnostics if whole or one.severity is not Severity.NOTE]
     more = " (--notes tells more)" if notes else ""
-    coloured = _is_coloured()
-    parts = [as_text(told, colour=coloured)] if told else []
+    layout = Layout.of(sys.stderr)
+    parts = [as_text(told, layout=layout)] if told else []
     if notes:
-        parts.append("".join(as_text([_head(one)], colour=coloured) for one in notes))
+        parts.append("".join(as_text([_head(one)], layout=layout) for one in notes))
     return "\n".join(parts) + f"{summary(diagnostics)}{more}\n"
 
 
 def _head(one: Diagnostic) -> Diagnostic:
     return replace(one, path="", here="", gazebo="", remedy="", source="", related=())
-
-
-def _is_coloured() -> bool:
-    plain = "NO_COLOR" in os.environ or os.environ.get("TERM") == "dumb"
-    return sys.stderr.isatty() and not plain
 
 
 def _kind(name: str) -> CompanionKind | None:

@@ -14,9 +14,10 @@ from simkit.cli.complaint import FAILURE
 from simkit.cli.pace import End, run_for_a_person
 from simkit.cli.run_options import LAST_WORDS, add_run_options, take_options, wants_own_simulation
 from simkit.cli.sharing import OnlyFrom, elsewhere, host, running_session, show
+from simkit.diagnostics import Layout
 from simkit.errors import SimkitError
 from simkit.graph.screen import StreamScreen
-from simkit.launch import Launch, LaunchPlan, listings, summary_of
+from simkit.launch import Launch, LaunchError, LaunchPlan, listings, summary_of
 from simkit.launch.budget import MAX_LAUNCH_BYTES
 from simkit.live.jobs import keys_of_this_terminal
 from simkit.live.launch_job import CLOSING, NO_PROCESSES, exit_code_of
@@ -44,6 +45,9 @@ def run(arguments: argparse.Namespace) -> int:
         raise SimkitError("which launch file? simkit roslaunch PACKAGE FILE, or PATH")
     try:
         return _run(arguments, words)
+    except LaunchError as error:
+        print(error.text(Layout.of(sys.stderr)), file=sys.stderr)
+        return FAILURE
     except SimkitError as error:  # roslaunch's own words have several lines
         print(error, file=sys.stderr)
         return FAILURE

@@ -5,12 +5,13 @@
 """
 
 from simkit.diagnostics.diagnostic import Diagnostic, Related, Severity, in_order
-from simkit.diagnostics.show import as_json, as_text, summary
+from simkit.diagnostics.show import Layout, as_json, as_text, summary
 from simkit.diagnostics.table import Find, Rule, rule
 
 __all__ = [
     "Diagnostic",
     "Find",
+    "Layout",
     "Related",
     "Rule",
     "Severity",

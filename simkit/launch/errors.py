@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from simkit.diagnostics import Diagnostic, as_text
+from simkit.diagnostics import Diagnostic, Layout, as_text
 from simkit.errors import SimkitError
 
 
@@ -54,13 +54,18 @@ class LaunchError(SimkitError, ValueError):
         """The remedy, for a check of an exercise."""
         return self.remedy
 
-    def explained(self, *, colour: bool = False) -> str:
+    def explained(self, layout: Layout | None = None) -> str:
         """The second layer: the place, the line underlined, the fault, the remedy."""
         one = self.diagnostic
         if not one.source and not one.related:  # about no place in a file
             return f"{one.file}: {one.severity.value} [{one.rule}] {one.what}\n{one.remedy}"
-        return as_text([one], colour=colour).rstrip("\n")
+        return as_text([one], layout=layout).rstrip("\n")
 
     def __str__(self) -> str:
         """Both layers."""
-        return f"{self.said}\n{self.explained()}" if self.said else self.explained()
+        return self.text()
+
+    def text(self, layout: Layout | None = None) -> str:
+        """Both layers, laid out for a stream."""
+        explained = self.explained(layout)
+        return f"{self.said}\n{explained}" if self.said else explained

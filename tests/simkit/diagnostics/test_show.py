@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import re
 from dataclasses import replace
@@ -11,6 +12,7 @@ from hypothesis import strategies as st
 
 from simkit.diagnostics import (
     Diagnostic,
+    Layout,
     Related,
     Severity,
     as_json,
@@ -168,3 +170,40 @@ def test_the_summary_counts():
 def test_finds_are_in_the_order_of_the_text_each_once_the_worst_first():
     note = replace(LIMIT, severity=Severity.NOTE)
     assert in_order([note, LIMIT, BARE, LIMIT]) == (BARE, LIMIT, note)
+
+
+class Stream(io.StringIO):
+    """A stream that may be a terminal."""
+
+    def __init__(self, *, is_terminal: bool) -> None:
+        super().__init__()
+        self.isatty = lambda: is_terminal  # type: ignore[method-assign]
+
+
+LONG = replace(LIMIT, what=" ".join(["very"] * 60) + " wrong")
+
+
+def test_in_a_pipe_the_first_line_of_each_find_is_one_line_however_long(monkeypatch):
+    monkeypatch.delenv("COLUMNS", raising=False)
+    text = as_text([LONG, BARE], layout=Layout.of(Stream(is_terminal=False)))
+    heads = [line for line in text.splitlines() if re.match(r"\S+:\d+:\d+: ", line)]
+    assert [head.rpartition("] ")[2] for head in heads] == [LONG.what, BARE.what]
+    assert "\x1b" not in text
+
+
+def test_on_a_terminal_it_is_wrapped(monkeypatch):
+    monkeypatch.setenv("COLUMNS", "90")
+    text = as_text([LONG], layout=Layout.of(Stream(is_terminal=True)))
+    plain = re.sub(r"\x1b\[[\d;]*m", "", text)
+    assert max(map(len, plain.splitlines())) <= 90
+    assert len(text.splitlines()) > len(as_text([LONG]).splitlines())
+
+
+def test_columns_of_the_environment_are_obeyed_in_a_pipe_too(monkeypatch):
+    monkeypatch.setenv("COLUMNS", "60")
+    lines = as_text([LIMIT], layout=Layout.of(Stream(is_terminal=False))).splitlines()
+    assert max(map(len, lines[1:])) <= 60
+    monkeypatch.setenv("COLUMNS", "nonsense")
+    assert Layout.of(Stream(is_terminal=False)).width == 100
+    monkeypatch.setenv("COLUMNS", "1")
+    assert Layout.of(Stream(is_terminal=False)).width == 40
