@@ -15,17 +15,19 @@ GRADER = (
     ),
 )
 SIMKIT = (
-    (("cli, live", "simkit ... in a terminal, at the pace of the wall"),),
+    (("cli", "simkit ..."), ("notebook", "% lines"), ("live", "wall's pace")),
+    (("commands", "rostopic, roslaunch, ...: one function each"),),
     (("simulation", "one clock, one graph, one TF buffer"),),
-    (("viz", "RViz, and other pictures"), ("launch", "roslaunch XML")),
+    (("viz", "stage, page, still, draw"), ("launch", "and xacro")),
     (("gazebo", "a world on that clock: spawn_model, /gazebo"),),
     (("nodes", "turtlesim, ..."), ("plugins", "drives, laser, ros_control")),
-    (("tools", "rostopic, ..."), ("tf", "fed by topics"), ("physics", "DART")),
+    (("tf", "fed by topics"), ("physics", "rigid bodies, by DART")),
     (("graph", "executor, topics, services, parameters; process"),),
 )
 PURE = (
-    (("urdf", "robots, their kinematics, and the rules of check_urdf"),),
-    (("xml, diagnostics", ""), ("core of tf", "buffer"), ("msgs", "types, time")),
+    (("urdf", "one reading of a robot, and the rules of check_urdf"),),
+    (("xml", ""), ("diagnostics", ""), ("core of tf", ""), ("msgs", "")),
+    (("geometry, packages, errors", ""),),
 )
 
 Rows = tuple[tuple[tuple[str, str], ...], ...]
@@ -36,18 +38,18 @@ def draw() -> str:
     drawing = Drawing(
         "The parts, and who may import whom",
         "Layers, from top to bottom. grader: cli and notebook; authoring and report; run; checks; "
-        "sandbox, submission, exercises and results. simkit: cli and live; simulation; viz and launch; "
-        "gazebo; nodes and plugins; tools, tf and physics; graph; urdf; msgs, the core of tf, xml and diagnostics. ros1 "
-        "lives in node processes and reaches the graph by its client.",
-        size=(960, 842),
+        "sandbox, submission, exercises and results. simkit: cli, notebook and live; commands; simulation; viz and launch; "
+        "gazebo; nodes and plugins; tf and physics; graph; urdf; xml, diagnostics, the core of tf and msgs; geometry, "
+        "packages and errors. ros1 lives in node processes and reaches the graph by its client.",
+        size=(960, 926),
     )
     drawing.words((30, 36), "A part imports only from the layers below it.", size=15, bold=True)
     drawing.words((930, 36), "Along an arrow: only what it says.", color=MUTED, anchor="end")
     drawing.region(Area(30, 56, 900, 256), "grader", color=AMBER)
     _layers(drawing, GRADER, Area(50, 88, 860, 36))
-    drawing.region(Area(30, 360, 560, 458), "simkit, where the simulation runs", color=BLUE)
+    drawing.region(Area(30, 360, 560, 542), "simkit, where the simulation runs", color=BLUE)
     _layers(drawing, SIMKIT, Area(50, 392, 520, 36))
-    _layers(drawing, PURE, Area(50, 708, 520, 42), color=GREEN)
+    _layers(drawing, PURE, Area(50, 752, 520, 40), color=GREEN)
     drawing.arrow([(310, 312), (310, 358)])
     drawing.words((322, 340), "public names only", size=12, color=MUTED)
     _node_side(drawing)
@@ -66,19 +68,19 @@ def _layers(drawing: Drawing, rows: Rows, first: Area, *, color: Color = PLAIN) 
 
 
 def _node_side(drawing: Drawing) -> None:
-    drawing.region(Area(690, 360, 240, 458), "in each node process", color=VIOLET)
+    drawing.region(Area(690, 360, 240, 542), "in each node process", color=VIOLET)
     drawing.box(
         Area(708, 394, 204, 56), "a student's script", lines=["real ROS 1 Python"], color=VIOLET
     )
     drawing.box(
-        Area(708, 618, 204, 106),
+        Area(708, 662, 204, 106),
         "ros1",
         lines=["rospy, tf,", "turtlesim.msg, std_srvs.srv, ..."],
     )
-    drawing.arrow([(810, 450), (810, 616)])
-    drawing.words((820, 540), "import rospy", size=12, color=MUTED)
-    drawing.arrow([(708, 674), (572, 674)])
-    drawing.words((640, 648), "client,", size=12, color=MUTED, anchor="middle")
-    drawing.words((640, 664), "protocol", size=12, color=MUTED, anchor="middle")
-    drawing.arrow([(810, 724), (810, 780), (572, 780)])
-    drawing.words((640, 799), "all of it", size=12, color=MUTED, anchor="middle")
+    drawing.arrow([(810, 450), (810, 660)])
+    drawing.words((820, 560), "import rospy", size=12, color=MUTED)
+    drawing.arrow([(708, 718), (572, 718)])
+    drawing.words((640, 692), "client,", size=12, color=MUTED, anchor="middle")
+    drawing.words((640, 708), "protocol", size=12, color=MUTED, anchor="middle")
+    drawing.arrow([(810, 768), (810, 820), (572, 820)])
+    drawing.words((640, 839), "all of it", size=12, color=MUTED, anchor="middle")
