@@ -88,7 +88,7 @@ _BUILTIN = (
         executable="mimic",
         node_name="turtle_mimic",
         module="simkit.nodes.turtlesim.mimic",
-        class_name="Mimic",
+        class_name="TurtleMimic",
     ),
     BuiltinNode(
         package="tf",

@@ -6,26 +6,26 @@ Read it in this order: `window`, `paper`, `turtle`, `frame` (pure), then `node` 
 
 from simkit.nodes.turtlesim.draw_square import DrawSquare
 from simkit.nodes.turtlesim.frame import Frame, TurtleExistsError
-from simkit.nodes.turtlesim.mimic import Mimic
+from simkit.nodes.turtlesim.mimic import TurtleMimic
 from simkit.nodes.turtlesim.node import TurtlesimNode
-from simkit.nodes.turtlesim.paper import Paper, Sheet, Stroke
-from simkit.nodes.turtlesim.state import Pen, PoseSample, Reading, TurtlePose, Velocity
+from simkit.nodes.turtlesim.paper import Paper, PaperSheet, Stroke
+from simkit.nodes.turtlesim.state import Pen, PoseSample, TurtlePose, TurtleReading, Velocity
 from simkit.nodes.turtlesim.teleop import TurtleTeleop
 from simkit.nodes.turtlesim.turtle import Turtle
 
 __all__ = [
     "DrawSquare",
     "Frame",
-    "Mimic",
     "Paper",
+    "PaperSheet",
     "Pen",
     "PoseSample",
-    "Reading",
-    "Sheet",
     "Stroke",
     "Turtle",
     "TurtleExistsError",
+    "TurtleMimic",
     "TurtlePose",
+    "TurtleReading",
     "TurtleTeleop",
     "TurtlesimNode",
     "Velocity",

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.nodes.turtlesim.paper import Paper
-from simkit.nodes.turtlesim.state import Reading
+from simkit.nodes.turtlesim.state import TurtleReading
 from simkit.nodes.turtlesim.turtle import Turtle
 from simkit.nodes.turtlesim.window import BACKGROUND, CENTRE, Rgb
 
@@ -94,7 +94,7 @@ class Frame:
         self.paper.clear(background)
         return self.spawn()
 
-    def update(self, now_ns: int) -> list[tuple[Turtle, Reading]]:
+    def update(self, now_ns: int) -> list[tuple[Turtle, TurtleReading]]:
         """Move every turtle on by one tick, in the order of their names.
 
         Args:

@@ -11,7 +11,7 @@ from simkit.graph import Node
 from simkit.msgs import message_class
 
 
-class Mimic:
+class TurtleMimic:
     """The node `mimic` of the package turtlesim: speeds on `input/pose` become `output/cmd_vel`.
 
     Args:

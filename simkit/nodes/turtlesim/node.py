@@ -14,7 +14,7 @@ from simkit.errors import SimkitError, UnknownNameError
 from simkit.graph import Node, ServiceFailed
 from simkit.msgs import Duration, Message, message_class, service_class
 from simkit.nodes.turtlesim.frame import Frame, TurtleExistsError
-from simkit.nodes.turtlesim.state import Reading, Velocity, new_pen
+from simkit.nodes.turtlesim.state import TurtleReading, Velocity, new_pen
 from simkit.nodes.turtlesim.turtle import Turtle
 from simkit.nodes.turtlesim.window import BACKGROUND, CENTRE, TICK_NS, Rgb
 
@@ -160,7 +160,7 @@ class _TurtleEndpoints:
             ),
         )
 
-    def publish(self, reading: Reading) -> None:
+    def publish(self, reading: TurtleReading) -> None:
         """Tell the graph what an update of the turtle gave."""
         if reading.clamped_from is not None:
             x, y = reading.clamped_from

@@ -38,7 +38,7 @@ class Stroke:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Sheet:
+class PaperSheet:
     """The paper from one clearing to the next."""
 
     from_ns: int
@@ -79,7 +79,7 @@ class Paper:
         self.background = background
         self.now_ns = 0
         self._canvas = Canvas(background)
-        self._cleared: list[Sheet] = []
+        self._cleared: list[PaperSheet] = []
         self._from_ns = 0
         self._strokes: list[_OpenStroke] = []
         self._last: dict[str, _OpenStroke] = {}
@@ -90,7 +90,7 @@ class Paper:
         return tuple(stroke.closed() for stroke in self._strokes)
 
     @property
-    def sheets(self) -> tuple[Sheet, ...]:
+    def sheets(self) -> tuple[PaperSheet, ...]:
         """The paper before each clearing and, last, as it is now."""
         return (*self._cleared, self._sheet())
 
@@ -129,8 +129,8 @@ class Paper:
         stroke.points.append((end[0], SIDE - end[1]))
         stroke.times_ns.append(self.now_ns)
 
-    def _sheet(self) -> Sheet:
-        return Sheet(from_ns=self._from_ns, background=self.background, strokes=self.strokes)
+    def _sheet(self) -> PaperSheet:
+        return PaperSheet(from_ns=self._from_ns, background=self.background, strokes=self.strokes)
 
 
 def _pixels(point: Point) -> Point:

@@ -9,7 +9,7 @@ from simkit.nodes.turtlesim.window import Point, Rgb
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Velocity:
-    """What a turtle is told to do, in its own frame: x ahead, y to its left."""
+    """The velocity that a turtle is commanded, in its own frame: x ahead, y to its left."""
 
     x: float = 0.0
     """Ahead [m/s]."""
@@ -36,7 +36,7 @@ class TurtlePose:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Reading:
+class TurtleReading:
     """What one update of a turtle gives the outside world."""
 
     pose: TurtlePose

@@ -14,7 +14,7 @@ import math
 from dataclasses import dataclass
 
 from simkit.nodes.turtlesim.paper import Paper
-from simkit.nodes.turtlesim.state import Pen, PoseSample, Reading, TurtlePose, Velocity
+from simkit.nodes.turtlesim.state import Pen, PoseSample, TurtlePose, TurtleReading, Velocity
 from simkit.nodes.turtlesim.window import COMMAND_LIFETIME_NS, SIDE, TICK, Point, float32
 
 PI = 3.14159265  # turtlesim's own, so that headings wrap where they wrap there
@@ -30,7 +30,7 @@ class _Teleport:
 
 
 class Turtle:
-    """A turtle with its pen, its waiting teleports and the velocity it was told.
+    """A turtle with its pen, its waiting teleports and the velocity that it was commanded.
 
     Args:
         name: Name, unique in its frame.
@@ -87,7 +87,7 @@ class Turtle:
             _Teleport(relative=True, linear=float32(linear), theta=float32(angular))
         )
 
-    def update(self, now_ns: int, paper: Paper) -> Reading:
+    def update(self, now_ns: int, paper: Paper) -> TurtleReading:
         """Move on by one tick and draw what the pen passes over.
 
         Args:
@@ -103,7 +103,7 @@ class Turtle:
         clamped_from = self._clamp()
         here = (self._x, self._y_down)
         pose = self.pose
-        reading = Reading(pose=pose, color=paper.color_at(here), clamped_from=clamped_from)
+        reading = TurtleReading(pose=pose, color=paper.color_at(here), clamped_from=clamped_from)
         if here != before and self.pen.is_down:
             paper.draw_line(before, here, turtle=self.name, pen=self.pen)
         if not self.history or self.history[-1].pose != pose:
@@ -130,8 +130,8 @@ class Turtle:
         if self._command is not None:
             self._velocity, self._command = self._command, None
             self._command_time_ns = now_ns
-        told = self._command_time_ns
-        if told is None or now_ns - told > COMMAND_LIFETIME_NS:
+        commanded = self._command_time_ns
+        if commanded is None or now_ns - commanded > COMMAND_LIFETIME_NS:
             self._velocity = Velocity()
 
     def _move(self) -> None:

@@ -17,7 +17,7 @@ SANS = "DejaVu Sans, Verdana, Helvetica, Arial, sans-serif"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Line:
+class Polyline:
     """An open line with round ends and corners."""
 
     points: tuple[Point, ...]
@@ -69,7 +69,7 @@ class Ellipse:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Box:
+class RoundedBox:
     """A rectangle with round corners."""
 
     corner: Point
@@ -87,7 +87,7 @@ class Box:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Text:
+class Label:
     """A line of text."""
 
     place: Point
@@ -106,7 +106,7 @@ class Text:
     """Colour around the letters, for text on top of lines."""
 
 
-Plain: TypeAlias = Line | Curve | Area | Ellipse | Box | Text
+Plain: TypeAlias = Polyline | Curve | Area | Ellipse | RoundedBox | Label
 """A shape that is drawn by itself."""
 
 

@@ -25,11 +25,21 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.path import Path
 from matplotlib.patheffects import withStroke
-from matplotlib.text import Text as Letters
+from matplotlib.text import Text
 from matplotlib.transforms import Affine2D, Transform
 from numpy.typing import NDArray
 
-from simkit.viz.draw.drawing import Area, Box, Curve, Drawing, Ellipse, Group, Line, Shape, Text
+from simkit.viz.draw.drawing import (
+    Area,
+    Curve,
+    Drawing,
+    Ellipse,
+    Group,
+    Label,
+    Polyline,
+    RoundedBox,
+    Shape,
+)
 
 _NOT_OURS = frozenset({"backend", "backend_fallback", "interactive", "toolbar"})
 _DOTS_PER_INCH = 100
@@ -143,7 +153,7 @@ def _artist(shape: Shape) -> Artist:
 
 
 @_artist.register
-def _(shape: Line) -> Artist:
+def _(shape: Polyline) -> Artist:
     return Line2D(
         [x for x, _ in shape.points],
         [y for _, y in shape.points],
@@ -179,7 +189,7 @@ def _(shape: Ellipse) -> Artist:
 
 
 @_artist.register
-def _(shape: Box) -> Artist:
+def _(shape: RoundedBox) -> Artist:
     return patches.FancyBboxPatch(
         shape.corner,
         *shape.size,
@@ -192,9 +202,9 @@ def _(shape: Box) -> Artist:
 
 
 @_artist.register
-def _(shape: Text) -> Artist:
+def _(shape: Label) -> Artist:
     halo = [withStroke(linewidth=3 * _POINTS_PER_PIXEL, foreground=shape.halo)]
-    return Letters(
+    return Text(
         *shape.place,
         shape.text,
         family="DejaVu Sans",

@@ -8,15 +8,15 @@ from functools import singledispatch
 from simkit.viz.draw.drawing import (
     SANS,
     Area,
-    Box,
     Curve,
     Drawing,
     Ellipse,
     Group,
-    Line,
+    Label,
     Point,
+    Polyline,
+    RoundedBox,
     Shape,
-    Text,
 )
 from simkit.viz.draw.letters import printable
 
@@ -50,7 +50,7 @@ def svg_element(shape: Shape) -> str:
 
 
 @svg_element.register
-def _(shape: Line) -> str:
+def _(shape: Polyline) -> str:
     points = " ".join(_pair(point) for point in shape.points)
     return f'<polyline points="{points}" {_stroke(shape)} stroke-linejoin="round"/>'
 
@@ -78,7 +78,7 @@ def _(shape: Ellipse) -> str:
 
 
 @svg_element.register
-def _(shape: Box) -> str:
+def _(shape: RoundedBox) -> str:
     (x, y), (width, height) = shape.corner, shape.size
     return (
         f'<rect x="{number(x)}" y="{number(y)}" width="{number(width)}" height="{number(height)}" '
@@ -88,7 +88,7 @@ def _(shape: Box) -> str:
 
 
 @svg_element.register
-def _(shape: Text) -> str:
+def _(shape: Label) -> str:
     x, y = shape.place
     looks = [f'font-size="{number(shape.size)}"', f'fill="{shape.color}"']
     if shape.align != "start":
@@ -123,7 +123,7 @@ def _pair(point: Point) -> str:
     return f"{number(point[0])},{number(point[1])}"
 
 
-def _stroke(shape: Line | Curve) -> str:
+def _stroke(shape: Polyline | Curve) -> str:
     return (
         f'fill="none" stroke="{shape.color}" stroke-width="{number(shape.width)}" '
         f'stroke-linecap="round"{_dashes(dashed=shape.dashed)}'

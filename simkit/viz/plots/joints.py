@@ -26,24 +26,24 @@ Row = tuple[float, float]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class JointSeries:
-    """What was told of some joints."""
+    """Recorded states of some joints."""
 
     topic: str
-    """Where it was told."""
+    """Their topic."""
     start: Time
     """Time of the first message."""
     position: Mapping[str, tuple[Row, ...]]
-    """Position of each joint that one was told of [rad or m]."""
+    """Position of each joint that has one [rad or m]."""
     velocity: Mapping[str, tuple[Row, ...]]
-    """Velocity of each joint that one was told of [rad/s or m/s]."""
+    """Velocity of each joint that has one [rad/s or m/s]."""
     effort: Mapping[str, tuple[Row, ...]]
-    """Effort of each joint that one was told of [N m or N]."""
+    """Effort of each joint that has one [N m or N]."""
 
 
 def joint_series(
     recording: RecordedTopics, *, topic: str | None = None, joints: Collection[str] | None = None
 ) -> JointSeries:
-    """Position, velocity and effort of joints, as far as they were told.
+    """Position, velocity and effort of joints, as far as they were published.
 
     Args:
         recording: Has messages of sensor_msgs/JointState.
@@ -94,7 +94,7 @@ _LONGEST: Final = 24
 
 
 class JointPlot(Plot):
-    """What sensor_msgs/JointState told of joints.
+    """Joints as sensor_msgs/JointState has them.
 
     Args:
         recording: Of a topic of that type, or of a model.
@@ -120,11 +120,11 @@ class JointPlot(Plot):
 
     @property
     def title(self) -> str:
-        """Where the joints were told of."""
+        """The topic of the joints."""
         return f"joints on {self.series.topic}"
 
     def figure(self) -> Figure:
-        """One panel for each quantity that was told."""
+        """One panel for each quantity that was published."""
         shown = [(name, getattr(self.series, name)) for name in QUANTITIES]
         shown = [(name, rows) for name, rows in shown if rows] or shown[:1]
         numbers = {joint: n for n, joint in enumerate(self._joints())}

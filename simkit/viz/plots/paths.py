@@ -29,7 +29,7 @@ class PathSeries:
     name: str
     """Its topic."""
     frame: str
-    """The frame that it is told in."""
+    """The frame that it is given in."""
     times: tuple[int, ...]
     """Time of each pose [ns]."""
     x: tuple[float, ...]
@@ -125,7 +125,7 @@ class PathPlot(Plot):
         align: Whether the true way is moved to begin where odometry does, which counts from there.
 
     Attributes:
-        paths: The ways that were told.
+        paths: The ways that odometry gives.
         truth: The true way; None if it is not shown.
 
     Raises:

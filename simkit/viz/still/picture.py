@@ -7,7 +7,7 @@ import html
 from collections.abc import Iterator
 from typing import Final
 
-from simkit.viz.draw.drawing import Drawing, Line, Point, Shape, Text
+from simkit.viz.draw.drawing import Drawing, Label, Point, Polyline, Shape
 from simkit.viz.draw.figure import png_bytes
 from simkit.viz.draw.letters import label_places, shortened, text_width, wrapped
 from simkit.viz.page.scene_data import MOST_NAMES, grid_note, summary
@@ -50,7 +50,7 @@ def still_drawing(scene: Scene) -> Drawing:
         for line in _lines(text)
     ]
     rows = [
-        Text(place=(14, SIZE[1] + _ROW * (row + 0.9)), text=line, color=color, size=12)
+        Label(place=(14, SIZE[1] + _ROW * (row + 0.9)), text=line, color=color, size=12)
         for row, (line, color) in enumerate(notes)
     ]
     names = _names(scene) if scene.displays.tf else ()
@@ -63,12 +63,12 @@ def still_drawing(scene: Scene) -> Drawing:
     )
 
 
-def _corners(scene: Scene) -> Iterator[Text]:
+def _corners(scene: Scene) -> Iterator[Label]:
     fixed = scene.headline or f"Fixed Frame: {shortened(scene.tf.fixed_frame, LONGEST)}"
-    yield Text(place=(14, 24), text=fixed, color=_GREY, size=12, halo=SKY)
+    yield Label(place=(14, 24), text=fixed, color=_GREY, size=12, halo=SKY)
     if scene.displays.grid:
         note = grid_note(scene.stage)
-        yield Text(place=(14, SIZE[1] - 12), text=note, color=_GREY, size=12, halo=SKY)
+        yield Label(place=(14, SIZE[1] - 12), text=note, color=_GREY, size=12, halo=SKY)
 
 
 def _lines(text: str) -> list[str]:
@@ -88,8 +88,8 @@ def _names(scene: Scene) -> Iterator[Shape]:
             continue
         if abs(place[1] - anchor[1]) > 1.2 * _NAME_HEIGHT:
             end = (place[0] - 2 if place[0] > anchor[0] else place[0] + width + 2, place[1])
-            yield Line(points=(anchor, end), color=_GREY, width=0.8)
-        yield Text(
+            yield Polyline(points=(anchor, end), color=_GREY, width=0.8)
+        yield Label(
             place=(place[0], place[1] + 0.36 * _NAME_SIZE),
             text=label,
             color=_INK,

@@ -6,7 +6,17 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from simkit.saving import save_as
-from simkit.viz.draw.drawing import Area, Box, Curve, Drawing, Group, Line, Point, Shape, Text
+from simkit.viz.draw.drawing import (
+    Area,
+    Curve,
+    Drawing,
+    Group,
+    Label,
+    Point,
+    Polyline,
+    RoundedBox,
+    Shape,
+)
 from simkit.viz.draw.letters import shortened
 from simkit.viz.draw.svg import svg_text
 from simkit.viz.trees.layout import (
@@ -95,8 +105,8 @@ def key_of_broken_lines(place: Point, text: str) -> list[Shape]:
     """
     x, y = place
     return [
-        Line(points=((x, y - 4), (x + 32, y - 4)), color=GREY, width=1.6, dashed=True),
-        Text(place=(x + 42, y), text=text, color=GREY, size=SMALL - 1),
+        Polyline(points=((x, y - 4), (x + 32, y - 4)), color=GREY, width=1.6, dashed=True),
+        Label(place=(x + 42, y), text=text, color=GREY, size=SMALL - 1),
     ]
 
 
@@ -147,7 +157,7 @@ class _Way:
         else:
             neck = (x, y - long)
             corners = (end, (x - half, y - long), (x + half, y - long))
-        yield Line(points=(begin, neck), color=_LINE, width=1.6, dashed=self._is_dashed)
+        yield Polyline(points=(begin, neck), color=_LINE, width=1.6, dashed=self._is_dashed)
         yield Area(points=corners, fill=_LINE)
 
     def _start(self, room: Rectangle) -> Point:
@@ -164,7 +174,7 @@ def _frame(node: CardNode, room: Rectangle) -> Group:
     elif node.parent is None:
         fill, edge, ink = _ROOT, _ROOT, PAPER
     x, y = room.point(0.5, 0.5)
-    name = Text(
+    name = Label(
         place=(x, y + 0.36 * NAME_SIZE),
         text=shortened(node.name, LONGEST),
         color=ink,
@@ -185,14 +195,16 @@ def _facts(node: CardNode, room: Rectangle, parent: str) -> Group:
     for row, (name, value) in enumerate(node.facts):
         y = room.top + 5 + FACT_HEIGHT * (row + 0.75)
         shown = shortened(value, LONGEST)
-        lines.append(Text(place=(left, y), text=name, color=GREY, size=FACT_SIZE))
-        lines.append(Text(place=(left + column, y), text=shown, color=INK, size=FACT_SIZE))
+        lines.append(Label(place=(left, y), text=name, color=GREY, size=FACT_SIZE))
+        lines.append(Label(place=(left + column, y), text=shown, color=INK, size=FACT_SIZE))
     title = f"{parent} -> {node.name}: " + ", ".join(": ".join(fact) for fact in node.facts)
     return Group(title=title, shapes=(_box(room, _CARD, _CARD_EDGE, radius=4.0), *lines))
 
 
-def _box(room: Rectangle, fill: str, edge: str, *, radius: float, dashed: bool = False) -> Box:
-    return Box(
+def _box(
+    room: Rectangle, fill: str, edge: str, *, radius: float, dashed: bool = False
+) -> RoundedBox:
+    return RoundedBox(
         corner=(room.left, room.top),
         size=(room.width, room.height),
         fill=fill,

@@ -31,7 +31,7 @@ class TreeNode:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Tree:
+class FrameTree:
     """Frames that are connected."""
 
     nodes: tuple[TreeNode, ...]
@@ -44,7 +44,7 @@ class Tree:
 class Forest:
     """All trees of a buffer."""
 
-    trees: tuple[Tree, ...]
+    trees: tuple[FrameTree, ...]
     """The trees, in the order in which their roots were heard of."""
     warnings: tuple[str, ...]
     """Sentences on what is wrong with them as a whole."""
@@ -81,17 +81,17 @@ class _Grower:
         }
         self.seen: set[str] = set()
 
-    def tree(self, root: str) -> Tree:
+    def tree(self, root: str) -> FrameTree:
         nodes: list[TreeNode] = []
         self._grow(nodes, root, None)
-        return Tree(nodes=tuple(nodes))
+        return FrameTree(nodes=tuple(nodes))
 
-    def looped_tree(self, loop: list[str]) -> Tree:
+    def looped_tree(self, loop: list[str]) -> FrameTree:
         start, parent = loop[0], loop[1 % len(loop)]
         echo = TreeNode(name=parent, parent=None, report=None, is_static=False, is_echo=True)
         nodes = [echo]
         self._grow(nodes, start, 0)
-        return Tree(nodes=tuple(nodes), loop=tuple(loop))
+        return FrameTree(nodes=tuple(nodes), loop=tuple(loop))
 
     def _grow(self, nodes: list[TreeNode], root: str, above: int | None) -> None:
         waiting: list[tuple[str, int | None]] = [(root, above)]
@@ -114,7 +114,7 @@ def _loop_above(frame: str, parents: Mapping[str, str | None]) -> list[str]:
     return way[way.index(here) :] if here is not None else way
 
 
-def _warnings(core: BufferCore, trees: list[Tree]) -> list[str]:
+def _warnings(core: BufferCore, trees: list[FrameTree]) -> list[str]:
     found = []
     for tree in trees:
         if tree.loop:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from simkit.msgs import Time
 from simkit.tf import Buffer
 from simkit.tf.frame_report import FrameReport
-from simkit.viz.draw.drawing import Box, Drawing, Point, Shape, Text
+from simkit.viz.draw.drawing import Drawing, Label, Point, RoundedBox, Shape
 from simkit.viz.draw.letters import shortened, text_width, wrapped
 from simkit.viz.trees.drawing import (
     GREY,
@@ -22,7 +22,7 @@ from simkit.viz.trees.drawing import (
     key_of_broken_lines,
     tree_shapes,
 )
-from simkit.viz.trees.forest import Forest, Tree, forest_of
+from simkit.viz.trees.forest import Forest, FrameTree, forest_of
 from simkit.viz.trees.layout import LONGEST, CardNode, TreeLayout, tree_layout
 
 _GAP = 20.0
@@ -117,7 +117,7 @@ def _layouts(forest: Forest) -> list[TreeLayout]:
     return min(down, sideways, key=_row_width)
 
 
-def _card_nodes(tree: Tree) -> list[CardNode]:
+def _card_nodes(tree: FrameTree) -> list[CardNode]:
     return [
         CardNode(
             name=node.name,
@@ -134,7 +134,7 @@ def _row_width(layouts: Sequence[TreeLayout]) -> float:
     return sum(layout.size[0] for layout in layouts) + _GAP * max(len(layouts) - 1, 0)
 
 
-def _heading(forest: Forest, now: Time | None) -> list[Text]:
+def _heading(forest: Forest, now: Time | None) -> list[Label]:
     frames, trees = forest.frame_count, len(forest.trees)
     lines = [] if now is None else [f"Recorded at time: {_seconds(now)}"]
     lines.append(
@@ -142,9 +142,9 @@ def _heading(forest: Forest, now: Time | None) -> list[Text]:
         if trees
         else "No tf data received"
     )
-    title = Text(place=(MARGIN, 30), text="view_frames Result", color=INK, size=15, bold=True)
+    title = Label(place=(MARGIN, 30), text="view_frames Result", color=INK, size=15, bold=True)
     return [title] + [
-        Text(place=(MARGIN, 50 + 18 * row), text=text, color=GREY, size=SMALL)
+        Label(place=(MARGIN, 50 + 18 * row), text=text, color=GREY, size=SMALL)
         for row, text in enumerate(lines)
     ]
 
@@ -153,9 +153,9 @@ def _banner(text: str, top: float, width: float) -> list[Shape]:
     words = " ".join(shortened(word, LONGEST + 4) for word in text.split())
     lines = wrapped(words, size=SMALL, width=width - 28)
     size = (width, _WARNING_LINE * len(lines) + 14)
-    box = Box(corner=(MARGIN, top), size=size, fill=_WARNING, edge=_WARNING_EDGE, radius=6)
+    box = RoundedBox(corner=(MARGIN, top), size=size, fill=_WARNING, edge=_WARNING_EDGE, radius=6)
     rows = [
-        Text(
+        Label(
             place=(MARGIN + 14, top + 20 + _WARNING_LINE * row),
             text=line,
             color=_WARNING_INK,
@@ -166,8 +166,8 @@ def _banner(text: str, top: float, width: float) -> list[Shape]:
     return [box, *rows]
 
 
-def _panel(corner: Point, size: Point) -> Box:
-    return Box(corner=corner, size=size, fill=_PANEL, edge=_PANEL_EDGE, radius=8)
+def _panel(corner: Point, size: Point) -> RoundedBox:
+    return RoundedBox(corner=corner, size=size, fill=_PANEL, edge=_PANEL_EDGE, radius=8)
 
 
 def _description(forest: Forest) -> str:

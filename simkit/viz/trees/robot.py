@@ -5,7 +5,7 @@ from __future__ import annotations
 from simkit.urdf.model import Joint, JointType, Limit, Mimic, Robot
 from simkit.urdf.tree_text import axis_text, number_text, vector_text
 from simkit.urdf.urdfdom.tree import children_by_link
-from simkit.viz.draw.drawing import Drawing, Shape, Text
+from simkit.viz.draw.drawing import Drawing, Label, Shape
 from simkit.viz.draw.letters import shortened, text_width
 from simkit.viz.trees.drawing import (
     GREY,
@@ -133,7 +133,7 @@ def _mimic_text(mimic: Mimic) -> str:
     return f"{text} {sign} {number_text(abs(mimic.offset))}"
 
 
-def _heading(robot: Robot) -> list[Text]:
+def _heading(robot: Robot) -> list[Label]:
     links, joints = len(robot.links), len(robot.joints)
     moving = sum(joint.moves for joint in robot.joints.values())
     counted = (
@@ -142,12 +142,12 @@ def _heading(robot: Robot) -> list[Text]:
     )
     title = shortened(robot.name, LONGEST) or "a robot without a name"
     return [
-        Text(place=(MARGIN, 30), text=title, color=INK, size=_TITLE, bold=True),
-        Text(place=(MARGIN, 50), text=counted, color=GREY, size=SMALL),
+        Label(place=(MARGIN, 30), text=title, color=INK, size=_TITLE, bold=True),
+        Label(place=(MARGIN, 50), text=counted, color=GREY, size=SMALL),
     ]
 
 
-def _width(line: Text) -> float:
+def _width(line: Label) -> float:
     return text_width(line.text, line.size) * (1.15 if line.bold else 1.0)
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from simkit.nodes.turtlesim import Frame, Stroke, Turtle
 from simkit.nodes.turtlesim.window import SIDE_PX, Point, hex_color, pixel
 from simkit.saving import save_as
-from simkit.viz.draw.drawing import Area, Drawing, Ellipse, Group, Line, Plain, Shape, Text
+from simkit.viz.draw.drawing import Area, Drawing, Ellipse, Group, Label, Plain, Polyline, Shape
 from simkit.viz.draw.svg import svg_text
 from simkit.viz.draw.thinning import simplified
 
@@ -75,9 +75,9 @@ def _drawing(frame: Frame, *, names: bool) -> Drawing:
     )
 
 
-def _trail(stroke: Stroke) -> Line:
+def _trail(stroke: Stroke) -> Polyline:
     points = simplified([pixel(point) for point in stroke.points], INVISIBLE_PX)
-    return Line(points=tuple(points), color=hex_color(stroke.pen.color), width=stroke.pen.width)
+    return Polyline(points=tuple(points), color=hex_color(stroke.pen.color), width=stroke.pen.width)
 
 
 def _body(turtle: Turtle) -> Group:
@@ -90,13 +90,13 @@ def _body(turtle: Turtle) -> Group:
     )
 
 
-def _label(turtle: Turtle, background: str) -> Text:
+def _label(turtle: Turtle, background: str) -> Label:
     pose = turtle.pose
     x, y = pixel((pose.x, pose.y))
     name = _printable(turtle.name)
     half = 0.31 * LABEL_PX * len(name) + 4
     below = y + 38
-    return Text(
+    return Label(
         place=(min(max(x, half), SIDE_PX - half), below if below < SIDE_PX - 4 else y - 28),
         text=name,
         color="#ffffff",
@@ -162,8 +162,8 @@ def turtle_shapes(number: int) -> tuple[Plain, ...]:
         Ellipse(center=(22.2, 2.7), radii=(1.2, 1.2), fill=colors.rim),
         Ellipse(center=(0.0, 0.0), radii=(16.5, 13.5), fill=colors.rim),
         Ellipse(center=(0.0, 0.0), radii=(14.3, 11.3), fill=colors.shell),
-        *(Line(points=seam, color=colors.rim, width=1.3) for seam in seams),
-        Line(points=(*plate, plate[0]), color=colors.rim, width=1.3),
+        *(Polyline(points=seam, color=colors.rim, width=1.3) for seam in seams),
+        Polyline(points=(*plate, plate[0]), color=colors.rim, width=1.3),
     )
 
 

@@ -18,7 +18,7 @@ from simkit.viz.draw.thinning import Row
 from simkit.viz.page.html import escaped, html_page, inline_frame
 from simkit.viz.tape_controls import tape_controls
 from simkit.viz.turtlesim.picture import turtle_shapes
-from simkit.viz.turtlesim.tape import Motion, Trail, TurtleTape, turtle_tape
+from simkit.viz.turtlesim.tape import Trail, TurtleMotion, TurtleTape, turtle_tape
 
 _TITLE: Final = "Replay of turtlesim"
 _LONGEST = 30
@@ -96,7 +96,7 @@ def _polyline(trail: Trail) -> str:
     )
 
 
-def _turtle(motion: Motion) -> str:
+def _turtle(motion: TurtleMotion) -> str:
     _, x, y, heading = motion.rows[-1] if motion.rows else (0.0, 0.0, 0.0, 0.0)
     hidden = "" if motion.until is None and motion.rows else ' style="display:none"'
     body = "".join(svg_element(shape) for shape in turtle_shapes(motion.number))
@@ -107,7 +107,7 @@ def _turtle(motion: Motion) -> str:
     )
 
 
-def _table(motions: Iterable[Motion]) -> list[str]:
+def _table(motions: Iterable[TurtleMotion]) -> list[str]:
     rows = [
         f'<tr><td class="name">{escaped(shortened(motion.name, _LONGEST))}</td>'
         "<td></td><td></td><td></td></tr>"

@@ -18,7 +18,7 @@ _JUMP = 0.01
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Motion:
+class TurtleMotion:
     """One turtle from its birth to its end."""
 
     name: str
@@ -63,7 +63,7 @@ class TurtleTape:
     """Virtual time of the beginning [ns]."""
     duration: float
     """From the beginning to the last update [s]."""
-    motions: tuple[Motion, ...]
+    motions: tuple[TurtleMotion, ...]
     """All turtles that ever were there, lowest first: in the order of their names."""
     sheets: tuple[TapedSheet, ...]
     """All papers; the last is the current one."""
@@ -89,10 +89,10 @@ def turtle_tape(frame: Frame) -> TurtleTape:
     )
 
 
-def _motion(turtle: Turtle, start_ns: int) -> Motion:
+def _motion(turtle: Turtle, start_ns: int) -> TurtleMotion:
     rows = [row for row in _pose_rows(turtle, start_ns) if all(map(math.isfinite, row))]
     gone = turtle.gone_ns
-    return Motion(
+    return TurtleMotion(
         name=turtle.name,
         number=turtle.number,
         rows=tuple(thinned(rows, (_PIXELS, _PIXELS, _DEGREES))),

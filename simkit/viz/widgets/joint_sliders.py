@@ -18,7 +18,7 @@ _SETTLED = 0.1
 class JointSliders(Panel):
     """Moves the joints of a joint_state_publisher_gui by hand.
 
-    Each move lets the simulation run until the node has told it, so that tf and the other views
+    Each move lets the simulation run until the node has published it, so that tf and the other views
     follow. While a cell runs, a move counts at once, and time passes when the cell is done.
 
     Where widgets cannot be shown (a plain terminal, a saved notebook without a kernel) it is a
@@ -89,7 +89,7 @@ class JointSliders(Panel):
                 self._do(self._gui.center)
 
     def set_position(self, name: str, value: float) -> None:
-        """Move a joint to this position [rad or m], and let time pass until the node has told it.
+        """Move a joint to this position [rad or m], and let time pass until the node has published it.
 
         Raises:
             UnknownNameError: No joint of that name has a slider.

@@ -1,6 +1,6 @@
 """What every widget of a notebook is: controls in the browser, a picture beside them, and a still for later.
 
-Controls live in a script; it is told a state, and sends what a person does. Both go over the notebook's
+Controls live in a script; it shows a state, and sends what a person does. Both go over the notebook's
 own channel. Widgets need a kernel, and a saved notebook has none: what is left there is the still.
 """
 
@@ -53,7 +53,7 @@ class Panel:
         self._is_drawing = False
 
     def state(self) -> dict[str, Any]:
-        """What the script is told, as JSON."""
+        """What the script shows, as JSON."""
         raise NotImplementedError
 
     def hear(self, message: Mapping[str, Any]) -> None:

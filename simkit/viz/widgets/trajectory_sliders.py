@@ -17,7 +17,7 @@ from simkit.viz.widgets.panel import Panel, png_picture
 SLICE = 0.1
 """So much virtual time passes in one go [s], so that other views see the motion."""
 REST = 0.05
-"""So much longer than a motion time passes [s], until the controller has told of its end."""
+"""So much longer than a motion time passes [s], until the controller has published its end."""
 _KIND = "/JointTrajectoryController"
 _SHORTEST, _LONGEST = 0.01, 60.0
 "Of a motion [s]."
@@ -93,7 +93,7 @@ class TrajectorySliders(Panel):
         return dict(self._goal)
 
     def actual(self) -> dict[str, float]:
-        """Where the joints are, as the controller has told it, or else /joint_states; empty if neither has."""
+        """Where the joints are, as the controller publishes it, or else /joint_states; empty without both."""
         for topic, read in (
             (f"{self._controller}/state", _of_state),
             ("/joint_states", _of_joints),

@@ -9,13 +9,13 @@ from simkit.graph.names import split_command_line
 from simkit.nodes import builtin_nodes
 from simkit.nodes.joint_state_publisher import JointStatePublisher, JointStatePublisherGui
 from simkit.nodes.robot_state_publisher import RobotStatePublisher, StatePublisher
-from simkit.nodes.turtlesim import DrawSquare, Mimic, TurtlesimNode, TurtleTeleop
+from simkit.nodes.turtlesim import DrawSquare, TurtleMimic, TurtlesimNode, TurtleTeleop
 
 CLASSES = {
     "turtlesim_node": ("/turtlesim", TurtlesimNode),
     "turtle_teleop_key": ("/teleop_turtle", TurtleTeleop),
     "draw_square": ("/draw_square", DrawSquare),
-    "mimic": ("/turtle_mimic", Mimic),
+    "mimic": ("/turtle_mimic", TurtleMimic),
 }
 
 

@@ -7,9 +7,9 @@ from collections.abc import Callable
 import pytest
 
 from simkit.errors import UnknownNameError
-from simkit.nodes.turtlesim import Frame, Reading, TurtleExistsError, Velocity
+from simkit.nodes.turtlesim import Frame, TurtleExistsError, TurtleReading, Velocity
 
-Drive = Callable[..., list[Reading]]
+Drive = Callable[..., list[TurtleReading]]
 
 
 def test_empty_names_count_up_and_skip_what_is_taken(frame: Frame) -> None:

@@ -5,9 +5,9 @@ from collections.abc import Callable
 
 import pytest
 
-from simkit.nodes.turtlesim import Frame, Paper, Pen, Reading, Velocity
+from simkit.nodes.turtlesim import Frame, Paper, Pen, TurtleReading, Velocity
 
-Drive = Callable[..., list[Reading]]
+Drive = Callable[..., list[TurtleReading]]
 BACKGROUND = (69, 86, 255)
 PEN = (179, 184, 255)
 

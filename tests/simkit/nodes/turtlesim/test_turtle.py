@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 import pytest
 
-from simkit.nodes.turtlesim import Frame, Reading, Velocity
+from simkit.nodes.turtlesim import Frame, TurtleReading, Velocity
 
-Drive = Callable[..., list[Reading]]
+Drive = Callable[..., list[TurtleReading]]
 DT = 0.016
 SIDE = 11.088889
 
@@ -145,7 +145,7 @@ def test_history_holds_every_change_with_its_time(frame: Frame, drive: Drive) ->
 
 
 def test_same_commands_same_values(drive: Drive) -> None:
-    def run() -> list[Reading]:
+    def run() -> list[TurtleReading]:
         frame = Frame()
         frame.spawn()
         return drive(frame, 200, Velocity(x=1.3, y=0.2, angular=-0.7))

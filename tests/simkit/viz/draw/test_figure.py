@@ -7,18 +7,18 @@ import matplotlib.image
 import numpy as np
 import pytest
 
-from simkit.viz.draw.drawing import Area, Box, Curve, Drawing, Group, Line, Text
+from simkit.viz.draw.drawing import Area, Curve, Drawing, Group, Label, Polyline, RoundedBox
 from simkit.viz.draw.figure import pdf_bytes, png_bytes
 
 
 @pytest.fixture
 def drawing():
     shapes = (
-        Box(corner=(10, 10), size=(40, 20), fill="#ff0000", edge="#000000", radius=4),
-        Line(points=((0, 80), (100, 80)), color="#0000ff", width=4),
+        RoundedBox(corner=(10, 10), size=(40, 20), fill="#ff0000", edge="#000000", radius=4),
+        Polyline(points=((0, 80), (100, 80)), color="#0000ff", width=4),
         Curve(points=((60, 10), (60, 30), (90, 30), (90, 50)), color="#00aa00", width=3),
         Group(title="g", shapes=(Area(points=((10, 50), (30, 50), (20, 70)), fill="#00ff00"),)),
-        Text(place=(50, 95), text="$x$ 世界 <b>", color="#000000", align="middle", halo="#eeeeee"),
+        Label(place=(50, 95), text="$x$ 世界 <b>", color="#000000", align="middle", halo="#eeeeee"),
     )
     return Drawing(title="t", description="d", size=(100, 100), background="#ffffff", shapes=shapes)
 

@@ -4,7 +4,7 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-from simkit.viz.draw.drawing import Area, Box, Curve, Drawing, Group, Line, Text
+from simkit.viz.draw.drawing import Area, Curve, Drawing, Group, Label, Polyline, RoundedBox
 from simkit.viz.draw.svg import number, svg_text
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -18,11 +18,11 @@ def drawing(*shapes, title="a title", description="what is seen"):
 
 def test_every_shape_becomes_its_element(texts):
     shapes = (
-        Line(points=((0, 0), (3, 4)), color="#000000", dashed=True),
+        Polyline(points=((0, 0), (3, 4)), color="#000000", dashed=True),
         Curve(points=((0, 0), (1, 0), (2, 1), (3, 1)), color="#000000"),
         Area(points=((0, 0), (1, 0), (0, 1)), fill="#123456"),
-        Box(corner=(1, 2), size=(3, 4), fill="#123456", radius=1),
-        Text(place=(1, 2), text="hello", color="#000000", align="middle", halo="#ffffff"),
+        RoundedBox(corner=(1, 2), size=(3, 4), fill="#123456", radius=1),
+        Label(place=(1, 2), text="hello", color="#000000", align="middle", halo="#ffffff"),
     )
     svg = svg_text(drawing(Group(title="all", shapes=shapes)))
     group = ET.fromstring(svg).find(f"{SVG}g")
@@ -43,7 +43,7 @@ def test_it_is_described_for_those_who_do_not_see_it():
 
 def test_any_text_is_safe(texts):
     bad = "<script>\x00&\"'\ud800"
-    text = Text(place=(0, 0), text=bad, color="#000000")
+    text = Label(place=(0, 0), text=bad, color="#000000")
     svg = svg_text(drawing(text, Group(title=bad, shapes=()), title=bad, description=bad))
     assert texts(svg) == ["<script>\ufffd&\"'\ufffd"]
     svg.encode("utf-8")

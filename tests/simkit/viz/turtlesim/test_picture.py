@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 from simkit.errors import UnknownNameError
-from simkit.nodes.turtlesim import Frame, Pen, Reading, Velocity
+from simkit.nodes.turtlesim import Frame, Pen, TurtleReading, Velocity
 from simkit.viz.turtlesim.picture import Picture
 
-Drive = Callable[..., list[Reading]]
+Drive = Callable[..., list[TurtleReading]]
 SVG = "{http://www.w3.org/2000/svg}"
 BACKGROUND = (69, 86, 255)
 PEN = (179, 184, 255)
