@@ -5,10 +5,15 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+import tomllib
+from itertools import chain
 from pathlib import Path
 
 import pytest
 from matplotlib.image import imread
+
+from simkit.plugins import plugins
+from tests.laws import broken_laws
 
 ROOT = Path(__file__).resolve().parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -100,6 +105,26 @@ def test_the_list_of_exercises_follows_the_sources(tmp_path: Path) -> None:
     assert "| 3.9 | [Broadcast the turtle's pose as a transform]" in written
     assert "| 3.1 |" not in written
     assert written.partition("## Who")[2] == README.partition("## Who")[2]
+
+
+def test_the_page_of_differences_names_each_plugin_of_the_kit() -> None:
+    page = (ROOT / "docs/differences_from_gazebo.md").read_text(encoding="utf-8")
+    names = [name.removeprefix("libgazebo_ros_").removesuffix(".so") for name in plugins()]
+    broken_laws(
+        [name for name in names if f"`{name}`" not in page],
+        "name it in the row `There are ...` of docs/differences_from_gazebo.md, and say what is not as in Gazebo",
+    )
+
+
+def test_the_page_of_the_architecture_says_why_each_library_is_there() -> None:
+    page = (ROOT / "docs/architecture.md").read_text(encoding="utf-8").lower()
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    listed = [*project["dependencies"], *chain(*project["optional-dependencies"].values())]
+    names = [re.match(r"[\w-]+", line)[0].lower() for line in listed]
+    broken_laws(
+        [name for name in names if name not in page],
+        "give it a row in the table of libraries in docs/architecture.md: what it does, and why not another",
+    )
 
 
 @pytest.mark.parametrize("text", TEXTS)

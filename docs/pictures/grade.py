@@ -35,7 +35,9 @@ def _runner(drawing: Drawing) -> None:
         lines=["plain JSON, bounded:", "files and answers"],
     )
     drawing.box(
-        Area(488, 96, 190, 70), "supervise", lines=["wall time, sizes, shape", "of what it receives"]
+        Area(488, 96, 190, 70),
+        "supervise",
+        lines=["wall time, sizes, shape", "of what it receives"],
     )
     drawing.box(
         Area(722, 96, 188, 70),

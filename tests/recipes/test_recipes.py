@@ -68,6 +68,57 @@ def robot_named_robot(sheet: Sheet) -> Iterator[Find]:
 
 
 '''
+PLUGIN = '''"""The plugin `libgazebo_ros_altimeter.so`: how high a model stands."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar
+
+from simkit.msgs import message_class
+from simkit.plugins.plugin import Plugin
+from simkit.plugins.rate import UpdateRate
+from simkit.plugins.tags import AltimeterParameters
+
+
+class Altimeter(Plugin[AltimeterParameters]):
+    """Publishes the height of its model."""
+
+    Parameters: ClassVar[type[AltimeterParameters]] = AltimeterParameters
+
+    def on_attach(self) -> None:
+        """Advertise."""
+        self._rate = UpdateRate(self.parameters.update_rate, self.site.now_ns)
+        topic = self.site.resolve("height")
+        self._publisher = self.site.node.advertise(topic, message_class("std_msgs/Float64"))
+
+    @property
+    def due_ns(self) -> int:
+        """Once a period."""
+        return self._rate.due_ns
+
+    def after_step(self) -> None:
+        """Publish, if it is time."""
+        if self._rate.is_due(self.site.now_ns):
+            height: Any = message_class("std_msgs/Float64")()
+            height.data = self.site.model.pose.translation[2]
+            self._publisher.publish(height)
+
+    def on_reset(self) -> None:
+        """Count its period anew."""
+        self._rate = UpdateRate(self.parameters.update_rate, self.site.now_ns)
+
+    def on_detach(self) -> None:
+        """Withdraw."""
+        self._publisher.unregister()
+'''
+TAGS = '''@dataclass(frozen=True, slots=True, kw_only=True)
+class AltimeterParameters:
+    """What the tag of `libgazebo_ros_altimeter.so` says."""
+
+    update_rate: float = tag("updateRate", 10.0, "Messages a second; 0: one each step [Hz].", at_least=0.0)
+
+
+'''
 ROBOT = """<?xml version="1.0"?>
 <!-- A post to bump into. -->
 <robot name="post">
@@ -145,6 +196,29 @@ def test_a_rule(tree: Any) -> None:
         'at = [1, 14]\nremedy = ["mower"]\nmend = [[\'name="robot"\', \'name="mower"\']]\n\n',
     )
     tree.prove("a rule", ID="URDF-I90", NAME="robot_named_robot")
+
+
+def test_a_plugin(tree: Any) -> None:
+    filename = "libgazebo_ros_altimeter.so"
+    tree.write("simkit/plugins/altimeter.py", PLUGIN)
+    tree.insert(
+        "simkit/plugins/tags.py",
+        "@dataclass(frozen=True, slots=True, kw_only=True)\nclass DiffDriveParameters",
+        TAGS,
+    )
+    tree.insert(
+        "simkit/plugins/registry.py",
+        '    PluginEntry(\n        filename="libgazebo_ros_diff_drive.so"',
+        f'    PluginEntry(\n        filename="{filename}",\n        module="simkit.plugins.altimeter",\n'
+        '        class_name="Altimeter",\n        parameters=tags.AltimeterParameters,\n    ),\n',
+    )
+    tree.insert(
+        "tests/simkit/plugins/samples.py",
+        '    "libgazebo_ros_diff_drive.so": Sample(',
+        f'    "{filename}": Sample(robot=PENDULUM, rate_tag="updateRate"),\n',
+    )
+    tree.insert("docs/differences_from_gazebo.md", "`p3d`, `control`", "`altimeter`, ")
+    tree.prove("a plugin", most=5, NAME="altimeter")
 
 
 def test_a_robot(tree: Any) -> None:

@@ -15,6 +15,7 @@ from simkit.graph.graph import Graph
 from simkit.msgs import Message, TVal, service_class
 from simkit.plugins import Plugin, plugins
 from simkit.plugins.tags import tags_of
+from tests.laws import broken_laws
 from tests.simkit.plugins.samples import SAMPLES, Sample, sample_of
 
 FILE = "sample.urdf"
@@ -265,7 +266,11 @@ def test_two_of_it_do_not_get_into_each_others_way(stage, filename):
     stage.run(0.1)
     assert len(other.plugins) == 1
     names = [name_of(one) for one in endpoints(node) if one not in mine]
-    assert any(name.startswith("/other/") for name in names)
+    in_namespace = [name for name in names if name.startswith("/other/")]
+    broken_laws(
+        [] if in_namespace else [f"{filename}: {', '.join(names)}"],
+        "a plugin's topics lie in the namespace of its robot: take `site.resolve(name)` or `topic_of`",
+    )
     assert not {name for name in names if name != "/tf"} & {name_of(one) for one in mine}
     stage.gazebo.delete("other")
     assert endpoints(node) == mine
