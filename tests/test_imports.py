@@ -126,6 +126,7 @@ LIBRARIES = {
     "dartpy": ("", "simkit.physics"),
     "meshcat": ("simkit.viz", ""),
     "trimesh": ("", "simkit.urdf.mesh_file"),
+    "yourdfpy": ("", "simkit.urdf.yourdfpy_robot"),
     "xacro": ("", "simkit.xacro.child"),
     "tornado": ("simkit.viz.page.live_server", ""),
     "ipywidgets": ("", "simkit.viz"),

@@ -9,7 +9,7 @@ import enum
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 from simkit.geometry import Transform, Vector
 from simkit.xml import Document, Element
@@ -245,6 +245,12 @@ class Robot:
     """The link that hangs on nothing."""
     document: Document
     """What it was read from; `<gazebo>` and `<transmission>` are found there."""
+
+    def yourdfpy(self) -> Any:
+        """The same robot as a `yourdfpy.URDF`: its `scene` is one of trimesh, to be looked at or exported."""
+        from simkit.urdf.yourdfpy_robot import yourdfpy_robot
+
+        return yourdfpy_robot(self)
 
     def joints_below(self, link: str) -> tuple[Joint, ...]:
         """The joints that have a link as parent, by joint name, as urdfdom keeps them."""
