@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import io
 import re
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from simkit.urdf.model import Robot
+from simkit.urdf.model import Mesh, Robot
 
 _DECLARATION = re.compile(r"^\s*<\?xml[^>]*\?>")
 
@@ -27,10 +26,13 @@ def yourdfpy_robot(robot: Robot) -> Any:
     import yourdfpy
 
     paths = {
-        part.geometry.filename: str(part.geometry.path or "")
+        geometry.filename: str(geometry.path or "")
         for link in robot.links.values()
-        for part in (*link.visuals, *link.collisions)
-        if hasattr(part.geometry, "filename")
+        for geometry in (
+            *(visual.geometry for visual in link.visuals),
+            *(collision.geometry for collision in link.collisions),
+        )
+        if isinstance(geometry, Mesh)
     }
     text = _DECLARATION.sub("", robot.document.text)
     return yourdfpy.URDF.load(

@@ -47,7 +47,7 @@ def test_what_is_saved_has_a_picture(lab):
     lab.open(BEGIN)
     lab.run_cell(0)
     lab.page.wait(f"!!{FRAME}")
-    lab.page.run("jupyterapp.commands.execute('docmanager:save').then(() => true)")
+    lab.page.run("panel.context.save().then(() => true)")
     notebook = nbformat.read(lab.folder / "lab.ipynb", as_version=4)
     saved = json.dumps(notebook.cells[0].outputs)
     start = saved.index("data:image/png;base64,") + len("data:image/png;base64,")
