@@ -177,7 +177,7 @@ def test_your_answers(submission):
 
 
 def expect_the_tip(submission, answer, *, hip, shoulder):
-    """An answer says where the tip is at these angles; what is often forgotten is told by name."""
+    """An answer says where the tip is at these angles; what is often forgotten is named."""
     told = given_answer(submission, answer)
     expect(
         is_near(told, arm_at(hip, shoulder)[1]),

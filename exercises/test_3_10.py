@@ -168,7 +168,7 @@ def test_joint_states_and_tf_tell_of_all_joints(sim, launched, rng):
     for name in JOINTS:
         expect(
             name in told,
-            f"/joint_states tells nothing of {name}, but of: {', '.join(sorted(told)) or 'nothing'}",
+            f"/joint_states has nothing of {name}, but of: {', '.join(sorted(told)) or 'nothing'}",
             hint="The plugin libgazebo_ros_joint_state_publisher.so tells of the joints that its <jointName> names, with "
             "commas between them.",
         )

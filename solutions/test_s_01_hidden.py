@@ -22,7 +22,7 @@ def robot(sim, exercise, submission, package_path):
 @points(1)
 @after("test_it_drives_straight_on", "test_left_is_left")
 def test_odometry_follows_a_curve(sim, robot):
-    """On a curve to the right the robot turns as told, and /odom and tf say where it went."""
+    """On a curve to the right the robot turns as commanded, and /odom and tf say where it went."""
     sim.run(0.2)
     begun = _odometry(sim)
     start, axle = robot.stand, robot.axle(*WHEELS)

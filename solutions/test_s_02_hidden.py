@@ -1,4 +1,4 @@
-"""Exercise S.2, hidden checks: the car stands still where it is put, and turns as it is told."""
+"""Exercise S.2, hidden checks: the car stands still where it is put, and turns as it is commanded."""
 
 import math
 
@@ -53,7 +53,7 @@ def test_it_stands_still(sim, robots, rng):
 @points(1)
 @after("test_it_drives_straight")
 def test_it_turns_as_it_is_told(sim, robots, rng):
-    """Told to turn, the car does so: to the right side and as fast as it is told, on the spot and in a curve."""
+    """Commanded to turn, the car does so: to the right side and at the right rate, on the spot and in a curve."""
     model = spawned_robot(sim, robots.text(ROBOT), name=CAR).model
     sim.run(0.2)
     rate = rng.choice((-1.0, 1.0)) * rng.uniform(0.5, 0.7)
@@ -61,7 +61,7 @@ def test_it_turns_as_it_is_told(sim, robots, rng):
         turning(sim, model, speed=0.3, rate=rate),
         rate,
         tolerance=0.25 * abs(rate),
-        what=f"how fast the car turns in a curve, told to drive at 0.3 m/s and to turn by {rate:.2f} rad/s,",
+        what=f"how fast the car turns in a curve, commanded to drive at 0.3 m/s and to turn by {rate:.2f} rad/s,",
         unit="rad/s",
         hint="To the other side: leftJoint is the wheel with the positive y. Hardly at all: the ball grips the ground; "
         "take its friction away (mu1 and mu2 of front_wheel).",
@@ -73,7 +73,7 @@ def test_it_turns_as_it_is_told(sim, robots, rng):
         turning(sim, model, speed=0.0, rate=-rate),
         -rate,
         tolerance=0.05 * abs(rate),
-        what=f"how fast the car turns on the spot, told to turn by {-rate:.2f} rad/s,",
+        what=f"how fast the car turns on the spot, commanded to turn by {-rate:.2f} rad/s,",
         unit="rad/s",
         hint="wheelSeparation is the distance of the middles of the two wheels. If the car is a little too slow, the "
         "ball may still drag: mu1 and mu2 of front_wheel are 0.",
@@ -81,7 +81,7 @@ def test_it_turns_as_it_is_told(sim, robots, rng):
 
 
 def turning(sim, model, *, speed, rate):
-    """How fast a car turns in the second after it was told to [rad/s]; the first half of a second does not count."""
+    """How fast a car turns in the second after the command [rad/s]; the first half of a second does not count."""
     node = sim.rostopic_pub(
         "/cmd_vel", "geometry_msgs/Twist", {"linear": {"x": speed}, "angular": {"z": rate}}
     )

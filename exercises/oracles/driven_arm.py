@@ -1,4 +1,4 @@
-"""A robot that a trajectory controller drives: started by a launch file, told where to go, and looked at."""
+"""A robot that a trajectory controller drives: started by a launch file, commanded, and measured."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from simkit.physics import Model
 
 CONTROLLER = "arm_controller"
 COMMAND = f"/{CONTROLLER}/command"
-"""The topic on which the controller is told where to go."""
+"""The topic of the commands to the controller."""
 _LIST = "/controller_manager/list_controllers"
 _START = 0.4
 """Time in which a launch file brings robot and controller [s]."""

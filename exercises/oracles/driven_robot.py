@@ -1,4 +1,4 @@
-"""A student's robot with driven wheels: stood on the floor, told to drive, and measured."""
+"""A student's robot with driven wheels: stood on the floor, commanded to drive, and measured."""
 
 from __future__ import annotations
 

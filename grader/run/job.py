@@ -1,4 +1,4 @@
-"""What a checker process is told: one submission to one exercise, as JSON."""
+"""What a checker process receives: one submission to one exercise, as JSON."""
 
 from __future__ import annotations
 
