@@ -9,17 +9,16 @@ from pathlib import Path
 from simkit.diagnostics import Severity, in_order
 from simkit.errors import near_names
 from simkit.launch.budget import Budget
-from simkit.launch.errors import LaunchError
+from simkit.launch.errors import LaunchError, error_of
 from simkit.launch.files import Files
+from simkit.launch.launch_file import LaunchFile, read_launch_file
 from simkit.launch.plan import TEXT_NAME, LaunchPlan
 from simkit.launch.refusal import Kind, Lesson, Place, Refused
 from simkit.launch.rules import UNUSED_ARGUMENT, USE_GUI
 from simkit.launch.scope import Scope
-from simkit.launch.sheet import Sheet, read_sheet
 from simkit.launch.state import State
 from simkit.launch.substitution import Substitution
-from simkit.launch.telling import error_of
-from simkit.launch.walk import open_sheet, walk
+from simkit.launch.walk import open_launch_file, walk
 from simkit.packages import PackagePath
 from simkit.xml import Element
 
@@ -64,37 +63,37 @@ class _Evaluation:
     def __init__(self, state: State, arguments: dict[str, str]) -> None:
         self._state = state
         self._arguments = arguments
-        self._sheet: Sheet | None = None
+        self._launch_file: LaunchFile | None = None
 
     def plan(self, source: Path | str) -> LaunchPlan:
         is_text = isinstance(source, str) and "<" in source
         name = TEXT_NAME if is_text else str(source)
         try:
-            self._sheet, root = self._opened(name, str(source) if is_text else None)
-            return self._walked(root, self._sheet)
+            self._launch_file, root = self._opened(name, str(source) if is_text else None)
+            return self._walked(root, self._launch_file)
         except Refused as refused:
             raise self._error(refused, name) from None
 
-    def _opened(self, name: str, text: str | None) -> tuple[Sheet, Element]:
+    def _opened(self, name: str, text: str | None) -> tuple[LaunchFile, Element]:
         if text is None:
-            return open_sheet(name, self._state)
+            return open_launch_file(name, self._state)
         data = text.encode("utf-8", "replace")
         self._state.budget.launch_file(len(data))
-        return read_sheet(data, name=name, shown="<launch file>")
+        return read_launch_file(data, name=name, shown="<launch file>")
 
-    def _walked(self, root: Element, sheet: Sheet) -> LaunchPlan:
+    def _walked(self, root: Element, launch_file: LaunchFile) -> LaunchPlan:
         state = self._state
-        scope = Scope(sheet)
+        scope = Scope(launch_file)
         scope.arguments = dict(self._arguments)
-        walk(root, sheet, scope, state)
+        walk(root, launch_file, scope, state)
         state.require_machines()
         if any(element.name == "master" for element in root.walk()):
             state.warn("WARNING: ignoring defunct <master /> tag", plain=True)
-        self._teach_arguments(scope, root, sheet)
+        self._teach_arguments(scope, root, launch_file)
         self._teach_use_gui()
         return LaunchPlan(
-            file=sheet.name,
-            shown_file=sheet.document.file,
+            file=launch_file.name,
+            shown_file=launch_file.document.file,
             given=self._arguments,
             files=tuple(state.launch_files),
             params=state.params,
@@ -107,8 +106,8 @@ class _Evaluation:
             diagnostics=in_order(state.diagnostics),
         )
 
-    def _teach_arguments(self, scope: Scope, root: Element, sheet: Sheet) -> None:
-        place = Place(sheet=sheet, span=root.span)
+    def _teach_arguments(self, scope: Scope, root: Element, launch_file: LaunchFile) -> None:
+        place = Place(launch_file=launch_file, span=root.span)
         for name in self._arguments:
             if name not in scope.declared:
                 declared = ", ".join(scope.declared) or "none"

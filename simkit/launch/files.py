@@ -7,14 +7,12 @@ from pathlib import Path
 
 from simkit.errors import UnknownNameError
 from simkit.launch.budget import MAX_FILE_BYTES, Budget
-from simkit.launch.missing_file import how_to_name, torn_find
+from simkit.launch.file_search import KNOWN, how_to_name, torn_find
 from simkit.launch.refusal import Kind, Lesson, Refused, ours
 from simkit.launch.rules import FILE, SUBSTITUTION
 from simkit.nodes import builtin_nodes
 from simkit.packages import Package, PackageError, PackagePath
 
-KNOWN = Path(__file__).parent / "known"
-"""Folders of packages that come with the kit, with the launch files that others include."""
 XACRO = "xacro"
 """A package of which only its program counts, and only as the command of a parameter."""
 OF_ROS = frozenset({"controller_manager", "gazebo_plugins", "gazebo_ros_control", "rviz"})

@@ -8,10 +8,9 @@ from typing import Any, Literal, cast
 
 from simkit.errors import near_names
 from simkit.graph.names import is_legal_name
-from simkit.launch.param_tag import take_param
+from simkit.launch.parameter_tags import take_param, take_rosparam
 from simkit.launch.plan import PlannedNode
 from simkit.launch.refusal import Kind, Lesson, Refused
-from simkit.launch.rosparam_tag import take_rosparam
 from simkit.launch.rules import ATTRIBUTE, NO_EFFECT, UNKNOWN
 from simkit.launch.scope import Scope, as_namespace, joined
 from simkit.launch.small_tags import read_remapping, take_environment
@@ -118,8 +117,8 @@ def _node(tag: Tag, scope: Scope) -> PlannedNode:
         respawn_delay=delay if math.isfinite(delay) and delay > 0 else 0.0,
         required=required,
         launch_prefix=options["launch-prefix"] or "",
-        file=tag.sheet.name,
-        shown_file=tag.sheet.document.file,
+        file=tag.launch_file.name,
+        shown_file=tag.launch_file.document.file,
         span=tag.element.span,
     )
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from simkit.xml import Span
 
 if TYPE_CHECKING:
-    from simkit.launch.sheet import Sheet
+    from simkit.launch.launch_file import LaunchFile
 
 
 class Kind(enum.Enum):
@@ -63,7 +63,7 @@ class Lesson:
 class Place:
     """A piece of a launch file."""
 
-    sheet: Sheet
+    launch_file: LaunchFile
     """The file."""
     span: Span
     """Where in it."""

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from simkit.graph.names import is_legal_name
+from simkit.launch.launch_file import LaunchFile
 from simkit.launch.refusal import Kind, Lesson, Refused
 from simkit.launch.rules import ARGUMENT, ATTRIBUTE
-from simkit.launch.sheet import Sheet
 
 
 def joined(namespace: str, name: str) -> str:
@@ -49,13 +49,15 @@ class Scope:
     """One scope.
 
     Args:
-        sheet: The file that it is in.
+        launch_file: The file that it is in.
         namespace: With a slash before and behind.
         parent: The scope around it.
     """
 
-    def __init__(self, sheet: Sheet, namespace: str = "/", parent: Scope | None = None) -> None:
-        self.sheet = sheet
+    def __init__(
+        self, launch_file: LaunchFile, namespace: str = "/", parent: Scope | None = None
+    ) -> None:
+        self.launch_file = launch_file
         self.namespace = namespace
         self.parent = parent
         self.arguments: dict[str, str] = {}
@@ -83,7 +85,7 @@ class Scope:
             lesson = Lesson(rule=ATTRIBUTE, what=what, remedy="Write a name for ns=.")
             raise Refused(Kind.VALUE, "cannot turn [~] into a global name", lesson)
         inner = as_namespace(joined(self.namespace, namespace)) if namespace else self.namespace
-        return Scope(self.sheet, inner, self)
+        return Scope(self.launch_file, inner, self)
 
     def for_include(self, namespace: str | None) -> Scope:
         """A scope in which the arguments for an included file are gathered."""
@@ -92,7 +94,7 @@ class Scope:
         scope.given = {}
         return scope
 
-    def enter(self, sheet: Sheet) -> list[str]:
+    def enter(self, launch_file: LaunchFile) -> list[str]:
         """Go over to the included file, which sees only what it was given.
 
         Returns:
@@ -108,7 +110,7 @@ class Scope:
                 remedy = f'Write <arg name="{name}" value="..."/>.'
                 lesson = Lesson(rule=ARGUMENT, what=what, remedy=remedy)
                 raise Refused(Kind.LOAD, "include args must have declared values", lesson)
-        self.sheet = sheet
+        self.launch_file = launch_file
         self.arguments, self.given = self.given, None
         self.declared, self.anonymous = [], {}
         return list(self.arguments)

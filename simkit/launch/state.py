@@ -9,13 +9,13 @@ from typing import Any
 from simkit.diagnostics import Diagnostic, Severity
 from simkit.graph.sendable import why_unsendable
 from simkit.launch.budget import Budget
+from simkit.launch.errors import diagnostic_of
 from simkit.launch.files import Files
 from simkit.launch.plan import ArgumentDoc, Origin, ParameterStep, PlannedNode
 from simkit.launch.refusal import Kind, Lesson, Place, Refused, ours
 from simkit.launch.rules import ATTRIBUTE, YAML
 from simkit.launch.scope import joined, tidy
 from simkit.launch.substitution import Substitution
-from simkit.launch.telling import diagnostic_of
 
 MAX_WARNINGS = 200
 """So many warnings are kept."""
@@ -57,7 +57,7 @@ class State:
         self.params[name] = value
         self.places[name] = place
         self.origins[name] = Origin(
-            shown_file=place.sheet.document.file, span=place.span, source=source
+            shown_file=place.launch_file.document.file, span=place.span, source=source
         )
 
     def add_tree(self, name: str, value: Any, place: Place, source: Path | None = None) -> None:

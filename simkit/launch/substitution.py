@@ -131,7 +131,7 @@ class Substitution:
 
     def dirname(self, scope: Scope) -> Path:
         """Folder of the launch file."""
-        return Path(scope.sheet.name).absolute().parent
+        return Path(scope.launch_file.name).absolute().parent
 
     def find(self, package: str) -> Path:
         """Folder of a package."""
@@ -194,7 +194,7 @@ def _no_argument(name: str, scope: Scope) -> Lesson:
 
 def _how_to_give(name: str, scope: Scope) -> str:
     """How whoever uses the file gives its argument a value."""
-    if scope.sheet.included_at is None:
+    if scope.launch_file.included_at is None:
         return f"{name}:=... on the command line"
     return f'<arg name="{name}" value="..."/> in the <include>'
 

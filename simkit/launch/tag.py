@@ -7,10 +7,10 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
 from simkit.errors import near_names
+from simkit.launch.launch_file import LaunchFile
 from simkit.launch.refusal import Kind, Lesson, Place, Refused
 from simkit.launch.rules import ATTRIBUTE, UNKNOWN
 from simkit.launch.scope import Scope
-from simkit.launch.sheet import Sheet
 from simkit.launch.state import State
 from simkit.launch.values import flag, truth
 from simkit.xml import Element
@@ -25,7 +25,7 @@ class Tag:
 
     element: Element
     """The element."""
-    sheet: Sheet
+    launch_file: LaunchFile
     """The file it is in."""
     state: State
     """What has been gathered so far."""
@@ -38,16 +38,16 @@ class Tag:
     @property
     def place(self) -> Place:
         """Where it stands."""
-        return Place(sheet=self.sheet, span=self.element.span)
+        return Place(launch_file=self.launch_file, span=self.element.span)
 
     @property
     def xml(self) -> str:
         """The whole element, as roslaunch's messages show it."""
-        return self.sheet.xml_of(self.element)
+        return self.launch_file.xml_of(self.element)
 
     def children(self) -> list[Tag]:
         """The tags in it."""
-        return [Tag(child, self.sheet, self.state) for child in self.element.children]
+        return [Tag(child, self.launch_file, self.state) for child in self.element.children]
 
     def has(self, attribute: str) -> bool:
         """Whether an attribute is there."""
@@ -85,7 +85,7 @@ class Tag:
 
     def place_of(self, attribute: str) -> Place:
         """Where the value of an attribute stands; the tag itself if it has none."""
-        return Place(sheet=self.sheet, span=self.element.span_of(attribute))
+        return Place(launch_file=self.launch_file, span=self.element.span_of(attribute))
 
     @contextlib.contextmanager
     def about(self, attribute: str) -> Iterator[None]:
@@ -127,12 +127,12 @@ class Tag:
         for attribute in self.element.attributes:
             if attribute.name in known or attribute.name in ("if", "unless"):
                 continue
-            words = f"[{self.sheet.name}] unknown <{self.name}> attribute '{attribute.name}'"
+            words = f"[{self.launch_file.name}] unknown <{self.name}> attribute '{attribute.name}'"
             self.state.warn(words)
             near = near_names(attribute.name, known)
             remedy = f"Did you mean {near[0]}?" if near else "It has: " + ", ".join(known) + "."
             what = f"<{self.name}> has no attribute {attribute.name!r}: it is ignored"
-            place = Place(sheet=self.sheet, span=attribute.name_span)
+            place = Place(launch_file=self.launch_file, span=attribute.name_span)
             self.state.teach(Lesson(rule=UNKNOWN, what=what, remedy=remedy), place)
 
     def refuse(self, words: str, what: str, remedy: str, *, at: str | None = None) -> Refused:

@@ -6,13 +6,12 @@ from collections.abc import Callable
 
 from simkit.errors import near_names
 from simkit.launch.budget import MAX_GROUP_DEPTH, MAX_INCLUDE_DEPTH, MAX_LAUNCH_BYTES
+from simkit.launch.launch_file import LaunchFile, read_launch_file
 from simkit.launch.node_tag import take_node
-from simkit.launch.param_tag import take_param
+from simkit.launch.parameter_tags import take_param, take_rosparam
 from simkit.launch.refusal import Kind, Lesson, Place, Refused, ours
-from simkit.launch.rosparam_tag import take_rosparam
 from simkit.launch.rules import ARGUMENT, STRAY_TEXT, TOO_MUCH, UNKNOWN
 from simkit.launch.scope import Scope
-from simkit.launch.sheet import Sheet, read_sheet
 from simkit.launch.small_tags import (
     take_argument,
     take_environment,
@@ -24,12 +23,14 @@ from simkit.launch.tag import Tag, namespace_of
 from simkit.xml import Element
 
 
-def walk(root: Element, sheet: Sheet, scope: Scope, state: State, depth: int = 0) -> None:
+def walk(
+    root: Element, launch_file: LaunchFile, scope: Scope, state: State, depth: int = 0
+) -> None:
     """Evaluate the tags in a `<launch>` or `<group>`.
 
     Args:
         root: The element.
-        sheet: Its file.
+        launch_file: Its file.
         scope: What holds in it.
         state: Takes what is found.
         depth: So many groups are around it.
@@ -37,16 +38,16 @@ def walk(root: Element, sheet: Sheet, scope: Scope, state: State, depth: int = 0
     Raises:
         Refused: A tag makes no sense, or there are too many.
     """
-    _note_stray_text(Tag(root, sheet, state))
+    _note_stray_text(Tag(root, launch_file, state))
     for element in root.children:
-        tag = Tag(element, sheet, state)
+        tag = Tag(element, launch_file, state)
         try:
             _take(tag, scope, depth)
         except Refused as refused:
             raise refused.at(tag.place) from None
 
 
-def open_sheet(name: str, state: State, tag: Tag | None = None) -> tuple[Sheet, Element]:
+def open_launch_file(name: str, state: State, tag: Tag | None = None) -> tuple[LaunchFile, Element]:
     """Read a launch file.
 
     Args:
@@ -69,11 +70,11 @@ def open_sheet(name: str, state: State, tag: Tag | None = None) -> tuple[Sheet, 
         raise refused.worded(Kind.SYNTAX, words) from None
     state.budget.launch_file(len(data))
     shown = state.files.shown(name)
-    sheet, root = read_sheet(data, name=name, shown=shown, included_at=place)
+    launch_file, root = read_launch_file(data, name=name, shown=shown, included_at=place)
     state.launch_files.append(name)
     if deprecated := root.get("deprecated"):
         state.warn(f"[{name}] DEPRECATED: {deprecated}")
-    return sheet, root
+    return launch_file, root
 
 
 def _take(tag: Tag, scope: Scope, depth: int) -> None:
@@ -98,7 +99,7 @@ def _take_group(tag: Tag, scope: Scope, depth: int) -> None:
     tag.check_attributes(("ns", "clear_params"))
     inner = scope.child(_cleared_namespace(tag, scope))
     inner.parameters = list(inner.parameters)
-    walk(tag.element, tag.sheet, inner, tag.state, depth + 1)
+    walk(tag.element, tag.launch_file, inner, tag.state, depth + 1)
 
 
 def _take_include(tag: Tag, scope: Scope) -> None:
@@ -135,11 +136,11 @@ def _take_include(tag: Tag, scope: Scope) -> None:
 
 def _enter(tag: Tag, name: str, inner: Scope, *, passes_all: bool) -> None:
     try:
-        sheet, root = open_sheet(name, tag.state, tag)
+        launch_file, root = open_launch_file(name, tag.state, tag)
     except Refused as refused:
         raise refused.at(tag.place_of("file")) from None
-    given = inner.enter(sheet)
-    walk(root, sheet, inner, tag.state)
+    given = inner.enter(launch_file)
+    walk(root, launch_file, inner, tag.state)
     unused = [argument for argument in given if argument not in inner.declared]
     if unused and not passes_all:
         culprits = [child for child in tag.children() if child.element.get("name") in unused]
@@ -158,8 +159,8 @@ def _cleared_namespace(tag: Tag, scope: Scope) -> str | None:
 
 
 def _require_no_circle(name: str, tag: Tag) -> None:
-    around = [tag.sheet, *(place.sheet for place in tag.sheet.chain())]
-    if name in (sheet.name for sheet in around):
+    around = [tag.launch_file, *(place.launch_file for place in tag.launch_file.chain())]
+    if name in (launch_file.name for launch_file in around):
         what = f"{tag.state.files.shown(name)} includes itself"
         remedy = "Remove one of these includes, or give it an if= that ends the circle."
         lesson = Lesson(rule=TOO_MUCH, what=what, remedy=remedy)
@@ -196,7 +197,7 @@ def _note_stray_text(tag: Tag) -> None:
     what = f"the text {shown!r} in <{tag.name}> is read by nobody"
     remedy = "Remove it, or make a comment of it: <!-- ... -->."
     lesson = Lesson(rule=STRAY_TEXT, what=what, remedy=remedy)
-    tag.state.teach(lesson, Place(sheet=tag.sheet, span=span))
+    tag.state.teach(lesson, Place(launch_file=tag.launch_file, span=span))
 
 
 def _unknown_tag(tag: Tag) -> None:

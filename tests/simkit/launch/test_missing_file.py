@@ -2,15 +2,15 @@
 
 import pytest
 
-from simkit.launch import missing_file
-from simkit.launch.missing_file import torn_find
+from simkit.launch import file_search
+from simkit.launch.file_search import torn_find
 from simkit.packages import PackagePath
 
 RIGHT = "Write $(find arm)/urdf/robot.urdf"
 
 
 def how_to_name(name, packages, may_read=lambda path: True):
-    return missing_file.how_to_name(name, packages, may_read=may_read)
+    return file_search.how_to_name(name, packages, may_read=may_read)
 
 
 @pytest.fixture

@@ -14,7 +14,7 @@ _ROOT = "Invalid roslaunch XML syntax: no root <launch> tag"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Sheet:
+class LaunchFile:
     """One launch file."""
 
     name: str
@@ -32,7 +32,7 @@ class Sheet:
         place = self.included_at
         while place is not None:
             places.append(place)
-            place = place.sheet.included_at
+            place = place.launch_file.included_at
         return places
 
     def xml_of(self, element: Element) -> str:
@@ -44,9 +44,9 @@ class Sheet:
         return minidom.parseString(self.data).getElementsByTagName("*")[number].toxml()
 
 
-def read_sheet(
+def read_launch_file(
     data: bytes, *, name: str, shown: str, included_at: Place | None = None
-) -> tuple[Sheet, Element]:
+) -> tuple[LaunchFile, Element]:
     """A launch file and its `<launch>` element.
 
     Args:
@@ -59,21 +59,21 @@ def read_sheet(
         Refused: It is not XML, or no launch file.
     """
     document = parse_xml(data, file=shown)
-    sheet = Sheet(name=name, document=document, data=data, included_at=included_at)
+    launch_file = LaunchFile(name=name, document=document, data=data, included_at=included_at)
     words = words_of_expat(document)
     if document.faults or words is not None:
-        raise _not_xml(sheet, words)
+        raise _not_xml(launch_file, words)
     assert document.root is not None
     found = [element for element in document.root.walk() if element.name == "launch"]
     if len(found) != 1:
         raise Refused(Kind.SYNTAX, _ROOT, _no_root(found)).at(
-            Place(sheet=sheet, span=(found[1] if found else document.root).span)
+            Place(launch_file=launch_file, span=(found[1] if found else document.root).span)
         )
-    return sheet, found[0]
+    return launch_file, found[0]
 
 
-def _not_xml(sheet: Sheet, words: str | None) -> Refused:
-    faults = sheet.document.faults
+def _not_xml(launch_file: LaunchFile, words: str | None) -> Refused:
+    faults = launch_file.document.faults
     if faults:
         first = _cause_of(faults)
         what, remedy, span = first.what, first.remedy, first.span
@@ -85,7 +85,7 @@ def _not_xml(sheet: Sheet, words: str | None) -> Refused:
         kind,
         text,
         Lesson(rule=SYNTAX, what=what, remedy=remedy),
-        place=Place(sheet=sheet, span=span),
+        place=Place(launch_file=launch_file, span=span),
     )
 
 

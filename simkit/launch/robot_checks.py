@@ -1,7 +1,4 @@
-"""Nodes that need the description of a robot, where nobody has set it.
-
-They end with a message that names the parameter, or wait for ever; the launch file knows which name is near.
-"""
+"""Robots of a launch file: what `check_urdf` says of them in short, and nodes that miss the description of one."""
 
 from __future__ import annotations
 
@@ -9,10 +6,37 @@ import shlex
 from collections.abc import Iterator, Sequence
 
 from simkit.errors import near_names
+from simkit.launch.budget import Budget
+from simkit.launch.files import Files
 from simkit.launch.plan import LaunchPlan, PlannedNode
 from simkit.launch.rules import DESCRIPTION
+from simkit.packages import PackagePath
 
-_PARAMETER = "robot_description"
+PARAMETER = "robot_description"
+
+
+def robot_lines(plan: LaunchPlan, packages: PackagePath, simulation: object) -> Iterator[str]:
+    """One line for each error and warning of a robot, unless they were reported in the simulation already.
+
+    Args:
+        plan: The launch file.
+        packages: Where meshes are.
+        simulation: Whom they are reported to.
+    """
+    from simkit.urdf import read_robot
+    from simkit.urdf.rules.check import brief_lines
+
+    files = Files(packages, Budget())
+    for name, value in plan.params.items():
+        if name.rpartition("/")[2] != PARAMETER or not isinstance(value, str):
+            continue
+        source = plan.origins[name].source
+        file = name if source is None else files.shown(source)
+        reading = read_robot(value, file=file, packages=packages)
+        if reading.is_first_report_to(simulation):
+            yield from brief_lines(reading, is_file=source is not None)
+
+
 _READERS = (
     "robot_state_publisher",
     "state_publisher",
@@ -47,7 +71,7 @@ def description_lines(plan: LaunchPlan, known: Sequence[str]) -> Iterator[str]:
 def _wanted(node: PlannedNode) -> str | None:
     """Name of the parameter that a node reads its robot from, without namespaces; None if it reads none."""
     if node.type in _READERS:
-        target = dict(node.remappings).get(_PARAMETER, _PARAMETER)
+        target = dict(node.remappings).get(PARAMETER, PARAMETER)
         return target.rpartition("/")[2]
     if node.type != "spawn_model":
         return None
