@@ -17,7 +17,7 @@ from simkit.viz.draw.svg import number, placed, svg_element
 from simkit.viz.draw.thinning import Row
 from simkit.viz.page.html import escaped, html_page, inline_frame
 from simkit.viz.tape_controls import tape_controls
-from simkit.viz.turtlesim.picture import turtle_shapes
+from simkit.viz.turtlesim.picture import Picture, turtle_shapes
 from simkit.viz.turtlesim.tape import Trail, TurtleMotion, TurtleTape, turtle_tape
 
 _TITLE: Final = "Replay of turtlesim"
@@ -39,6 +39,7 @@ class TurtleReplay:
 
     def __init__(self, frame: Frame) -> None:
         self.tape: TurtleTape = turtle_tape(frame)
+        self._end = Picture(frame, names=True)
 
     def to_html(self) -> str:
         """The replay as one HTML file; equal runs give equal text."""
@@ -60,6 +61,10 @@ class TurtleReplay:
 
     def __repr__(self) -> str:
         return f"TurtleReplay({self.tape.duration:.2f} s, {len(self.tape.motions)} turtles)"
+
+    def _repr_svg_(self) -> str:
+        """The end, for readers of notebooks that show no frames."""
+        return self._end.to_svg()
 
     def _repr_html_(self) -> str:
         return inline_frame(self.to_html(), title=_TITLE, height=_page_height(self.tape))

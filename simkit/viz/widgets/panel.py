@@ -37,7 +37,7 @@ class Panel:
 
     Args:
         later: Where a run waits for its turn; the kernel's event loop if None.
-        view: A view with widgets or HTML of its own, which is shown beside the controls.
+        view: A view with a `widget`, which is shown beside the controls.
     """
 
     SCRIPT: ClassVar[str]
@@ -119,7 +119,7 @@ class Panel:
     def _ipython_display_(self) -> None:
         if running_notebook() is None:
             raise NotImplementedError  # IPython falls back to the text
-        self._still = self._still or SavedStill(self._repr_html_, self.__repr__)
+        self._still = self._still or SavedStill(self._repr_html_, self.__repr__, self.picture)
         self._still.show(self._widget_or_none())
 
     def _widget_or_none(self) -> Any:
@@ -138,10 +138,16 @@ class SavedStill:
     Args:
         page: Makes the HTML of this moment.
         text: Makes the same as plain text.
+        picture: Makes the picture in it, for readers that strip HTML.
     """
 
-    def __init__(self, page: Callable[[], str], text: Callable[[], str]) -> None:
-        self._page, self._text = page, text
+    def __init__(
+        self,
+        page: Callable[[], str],
+        text: Callable[[], str],
+        picture: Callable[[], Mapping[str, str]] = dict,
+    ) -> None:
+        self._page, self._text, self._picture = page, text, picture
         self._handle: Any = None
         self._shown = ""
 
@@ -176,7 +182,9 @@ class SavedStill:
 
     def _bundle(self) -> dict[str, str]:
         page = f'{_STYLE}<div class="{_CLASS}">{self._page()}</div>'
-        return {"text/html": page, "text/plain": self._shown}
+        kinds = {"svg": "image/svg+xml", "png": "image/png"}
+        picture = {kinds[key]: data for key, data in self._picture().items() if key in kinds}
+        return {**picture, "text/html": page, "text/plain": self._shown}
 
 
 def png_picture(data: bytes, words: str) -> dict[str, str]:
@@ -224,8 +232,9 @@ def _side_by_side(front: Any, view: Any) -> Any:
         return front
     import ipywidgets
 
-    beside = getattr(view, "widget", None) or ipywidgets.HTML(view._repr_html_())
-    beside.layout.flex, beside.layout.min_width = "1 1 24em", "min(24em, 100%)"
+    # The view may be shown elsewhere too: the room that it has here is that of a box around it.
+    room = {"flex": "1 1 24em", "min_width": "min(24em, 100%)"}
+    beside = ipywidgets.VBox([view.widget], layout=room)
     layout = {"flex_flow": "row wrap", "align_items": "flex-start"}
     return ipywidgets.HBox([front, beside], layout=layout)
 

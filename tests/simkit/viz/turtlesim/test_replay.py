@@ -92,3 +92,13 @@ def test_notebooks_show_it_and_files_hold_it(replay, tmp_path):
     assert (tmp_path / "run.html").read_text(encoding="utf-8") == replay.to_html()
     with pytest.raises(UnknownNameError, match=r"no replay format '\.gif'"):
         replay.save(str(tmp_path / "run.gif"))
+
+
+def test_where_frames_are_stripped_the_end_is_seen(window):
+    window.drive(1.0)
+    window.run(1.0)
+    replay = TurtleReplay(window.frame)
+    svg = replay._repr_svg_()
+    assert "turtle1" in svg
+    window.run(1.0)
+    assert replay._repr_svg_() == svg

@@ -228,6 +228,7 @@ def test_in_a_notebook_there_are_widgets_and_behind_them_a_still_for_later(sim, 
     view, still = notebook.shown
     assert view["application/vnd.jupyter.widget-view+json"]["model_id"] == sliders.widget.model_id
     assert sliders._repr_html_() in still["text/html"]
+    assert still["image/png"] in still["text/html"]
     notebook.end_cell()
     assert notebook.updates == []
     sliders.set_position("hip", 0.25)
