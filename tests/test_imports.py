@@ -23,7 +23,6 @@ MAY_IMPORT = {
     # pure: no node, no clock
     "simkit.errors": "",
     "simkit.geometry": "",
-    "simkit.saving": "simkit.errors",
     "simkit.msgs": "simkit.errors",
     "simkit.tf": "simkit.errors simkit.msgs",
     "simkit.xml": "",
@@ -34,14 +33,24 @@ MAY_IMPORT = {
     "simkit.graph": "simkit.errors simkit.msgs simkit.graph.process.child",
     "simkit.tf.broadcaster": "simkit.msgs simkit.tf simkit.graph",
     "simkit.tf.listener": "simkit.msgs simkit.tf simkit.graph",
-    "simkit.tools": "simkit.errors simkit.msgs simkit.graph simkit.tf",
-    "simkit.nodes": "simkit.errors simkit.saving simkit.msgs simkit.graph simkit.tf simkit.tools simkit.packages",
+    # command lines: what nodes use of them too, then the commands
+    "simkit.commands.errors": "simkit.errors",
+    "simkit.commands.parser": "simkit.commands.errors",
+    "simkit.commands.parameter_yaml": "simkit.commands.errors",
+    "simkit.commands.graph_facts": "simkit.graph",
+    "simkit.commands.topic_pub": "simkit.errors simkit.msgs simkit.graph simkit.commands.errors simkit.commands.graph_facts",
+    "simkit.commands": "simkit",
+    "simkit.nodes.program": "simkit.graph",
+    "simkit.nodes.rostopic": "simkit.graph simkit.msgs simkit.commands simkit.commands.errors simkit.commands.topic_pub "
+    "simkit.nodes.program",
+    "simkit.nodes": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.packages "
+    "simkit.commands.errors simkit.commands.parser simkit.commands.parameter_yaml simkit.nodes.program",
     # programs with a window load the view when it is looked at
-    "simkit.nodes.rviz": "simkit.errors simkit.graph simkit.packages simkit.tools simkit.viz",
-    "simkit.nodes.tf_tools.view_frames": "simkit.graph simkit.msgs simkit.tf simkit.tf.listener simkit.tools simkit.viz",
+    "simkit.nodes.rviz": "simkit.errors simkit.graph simkit.packages simkit.commands.errors simkit.nodes.program simkit.viz",
+    "simkit.nodes.tf_tools.view_frames": "simkit.graph simkit.msgs simkit.tf simkit.tf.listener simkit.nodes.program simkit.viz",
     "simkit.nodes.robot_state_publisher": "simkit.errors simkit.msgs simkit.graph simkit.tf "
-    "simkit.tools simkit.urdf",
-    "simkit.nodes.joint_state_publisher": "simkit.errors simkit.msgs simkit.graph simkit.tools "
+    "simkit.nodes.program simkit.urdf",
+    "simkit.nodes.joint_state_publisher": "simkit.errors simkit.msgs simkit.graph simkit.nodes.program "
     "simkit.xml",
     "simkit.physics": "simkit.errors simkit.xml simkit.diagnostics simkit.urdf simkit.packages simkit.tf",
     # what the tags of plugins may say: pure, so that check_urdf and the plugins' parser share it
@@ -50,22 +59,23 @@ MAY_IMPORT = {
     "simkit.plugins": "simkit.plugins.tags simkit.plugins.registry simkit.errors simkit.msgs simkit.graph "
     "simkit.tf simkit.xml simkit.urdf simkit.physics",
     "simkit.gazebo": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
-    "simkit.urdf simkit.urdf.rules simkit.packages simkit.tools simkit.physics simkit.plugins simkit.plugins.tags",
+    "simkit.urdf simkit.urdf.rules simkit.packages simkit.commands.errors simkit.nodes.program "
+    "simkit.physics simkit.plugins simkit.plugins.tags",
     "simkit.launch": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
-    "simkit.urdf simkit.urdf.rules simkit.packages simkit.nodes simkit.tools simkit.xacro",
+    "simkit.urdf simkit.urdf.rules simkit.packages simkit.nodes simkit.commands.errors simkit.commands.parameter_yaml "
+    "simkit.xacro",
     "simkit.packages": "simkit.errors",
     "simkit.xacro": "simkit.errors simkit.packages",
-    "simkit.new_package": "simkit.errors simkit.msgs simkit.nodes simkit.packages",
     "simkit.simulation": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.tf.listener simkit.nodes simkit.packages "
-    "simkit.tools simkit.gazebo simkit.launch simkit.physics simkit.urdf simkit.viz "
+    "simkit.commands.topic_pub simkit.gazebo simkit.launch simkit.physics simkit.urdf simkit.viz "
     "simkit.nodes.joint_state_publisher simkit.nodes.rviz simkit.nodes.gzclient",
     # pictures of what is known; a simulation hands them out, lazily
-    "simkit.viz": "simkit.errors simkit.saving simkit.msgs simkit.graph simkit.tf simkit.diagnostics simkit.tools "
+    "simkit.viz": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.diagnostics "
     "simkit.nodes simkit.nodes.joint_state_publisher simkit.packages simkit.physics simkit.urdf simkit.urdf.rules simkit.xml",
     # on top: a simulation on the clock of the wall, and the command line
     "simkit.live": "simkit.errors simkit.launch simkit.msgs simkit.graph simkit.tf simkit.nodes "
     "simkit.launch simkit.nodes.joint_state_publisher simkit.packages "
-    "simkit.simulation simkit.tools",
+    "simkit.simulation simkit.commands simkit.commands.errors",
     "simkit.cli": "simkit",
     "simkit.notebook": "simkit",
     # inside a node process: the node's side of the graph, and the pure parts
@@ -118,7 +128,7 @@ LIBRARIES = {
     ),
     "transformations": ("simkit.tf.transformations", ""),
     "yaml": (
-        "simkit.graph.names simkit.tools",
+        "simkit.graph.names simkit.commands",
         "simkit.msgs.strify simkit.launch simkit.urdf.rules simkit.viz.stage.rviz_config",
     ),
     "matplotlib": ("simkit.viz", ""),
@@ -154,7 +164,8 @@ CLOCKS_AND_CHANCE = {
         "simkit.viz.turtlesim.page": "draws no oftener than the eye can follow, and never for most of the time",
         "simkit.viz.live_view": "sends pictures to a notebook no oftener than it can take them",
         "simkit.viz.widgets": "sends moments to a notebook no oftener than it can take them",
-        "simkit.cli": "keeps it in step too; measures how long a node takes to start",
+        "simkit.cli": "keeps it in step too",
+        "simkit.commands.doctor": "measures how long a node takes to start",
         "grader.run.supervise": "ends a checker that is stuck",
         "grader.run.family": "waits for a process that was killed",
     },

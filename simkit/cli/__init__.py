@@ -1,6 +1,7 @@
 """`simkit ...`: the command lines of a ROS book, with `simkit` in front.
 
-One file a command, named in `registry`; `main` finds it and turns what goes wrong into one line.
+`main` finds a command in `simkit.commands.table`, runs it, and turns what goes wrong into one line; `sharing` is how
+terminals have one simulation.
 """
 
 from simkit.cli.main import main

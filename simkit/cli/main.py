@@ -6,9 +6,16 @@ import os
 import sys
 from collections.abc import Sequence
 
-from simkit.cli.complaint import FAILURE, INTERRUPTED, USAGE_ERROR, complain
-from simkit.cli.parser import CommandParser
-from simkit.cli.registry import Command, commands
+from simkit.commands.command import Answer, Call, ErrorText
+from simkit.commands.errors import (
+    FAILURE,
+    INTERRUPTED,
+    USAGE_ERROR,
+    HelpShown,
+    ToolError,
+    UsageError,
+)
+from simkit.commands.table import COMMANDS, Entry, Place
 from simkit.errors import SimkitError, near_names
 
 
@@ -30,17 +37,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
         print(f"simkit {__version__}")
         return 0
-    known = commands()
-    if words[0] not in known:
-        return complain("simkit", _unknown(words[0], list(known)), USAGE_ERROR)
-    return _run(known[words[0]], words[1:])
+    if words[0] not in COMMANDS:
+        return complain("simkit", _unknown(words[0], list(COMMANDS)), USAGE_ERROR)
+    return _run(COMMANDS[words[0]], words[1:])
 
 
 def help_text() -> str:
     """What `simkit --help` prints: the commands in groups."""
     lines = ["usage: simkit COMMAND ...", "", "ROS 1 for learning, without ROS."]
     group = ""
-    for command in commands().values():
+    for command in COMMANDS.values():
         if command.group != group:
             group = command.group
             lines += ["", f"{group}:"]
@@ -49,23 +55,67 @@ def help_text() -> str:
     return "\n".join(lines)
 
 
-def _run(command: Command, words: Sequence[str]) -> int:
-    program = f"simkit {command.name}"
-    parser = CommandParser(prog=program, description=command.summary, allow_abbrev=False)
+def _run(entry: Entry, words: Sequence[str]) -> int:
+    program = f"simkit {entry.name}"
     try:
-        command.fill(parser)
-        code = int(command.load().run(parser.parse_args(words)))
+        code = _do(entry, words)
         sys.stdout.flush()
-    except SystemExit as end:  # argparse has said its word
-        return end.code if isinstance(end.code, int) else FAILURE
     except BrokenPipeError:
         # Whoever read along (`| head`) has enough; Python must not complain of it at its end either.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return FAILURE
+    except HelpShown as text:
+        print(text)
+        return 0
+    except UsageError as error:  # it says itself which command it is
+        print(error, file=sys.stderr)
+        return error.exit_code
+    except ToolError as error:
+        return complain(program, str(error), error.exit_code)
     except (SimkitError, OSError) as error:
         return complain(program, str(error))
     except KeyboardInterrupt:
         return INTERRUPTED
+    return code
+
+
+def _do(entry: Entry, words: Sequence[str]) -> int:
+    if entry.place is Place.HERE:
+        return _show(entry.load()(Call(words=words)))
+    from simkit.cli import sharing  # with the graph and all: more than a look at a message needs
+
+    if entry.place is Place.HOSTED:
+        return sharing.run_hosted(entry, words)
+    if words and words[0] in ("-h", "--help"):
+        print(f"usage: simkit {entry.name} COMMAND [ARGUMENTS]\n\n{entry.summary}\n")
+        return _show(entry.load()(Call(words=words)))
+    return sharing.elsewhere([entry.name, *words])
+
+
+def _show(answer: Answer) -> int:
+    """Print what a command answers that waits for nothing; its exit code."""
+    while True:
+        try:
+            item = next(answer)
+        except StopIteration as end:
+            return int(end.value or 0)
+        stream = sys.stderr if isinstance(item, ErrorText) else sys.stdout
+        stream.write(str(item))
+        stream.flush()
+
+
+def complain(program: str, text: str, code: int = FAILURE) -> int:
+    """Print what went wrong, on one line of standard error.
+
+    Args:
+        program: Who says it, e.g. `simkit rosmsg`.
+        text: What went wrong.
+        code: Exit code.
+
+    Returns:
+        The exit code.
+    """
+    print(f"{program}: {' '.join(text.split())}", file=sys.stderr)
     return code
 
 

@@ -1,15 +1,26 @@
-"""Runs a simulation of its own for a person: at the pace of the wall clock, or as fast as the machine can."""
+"""Runs a simulation of its own for a person: at the pace of the wall clock, or as fast as the machine can; and Ctrl-C.
+
+Ctrl-C and its kin are something to ask for: an event of the simulation is never cut in two.
+
+Source: roslaunch ends its nodes in order after Ctrl-C (SIGINT) and after `kill` (SIGTERM). A terminal that is closed sends
+SIGHUP.
+"""
 
 from __future__ import annotations
 
+import contextlib
 import math
+import signal
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from types import FrameType
 from typing import Literal
 
-from simkit.cli.interrupt import Interrupt
 from simkit.simulation import Simulation
 
+_SIGNALS = [
+    getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
+]
 SLICE = 0.02
 """Virtual time that passes between two looks at the wall clock [s]."""
 End = Literal["over", "interrupted", "idle"]
@@ -69,3 +80,25 @@ def _run_paced(
         while not interrupt.came and (early := begin + passed - time.monotonic()) > 0:
             time.sleep(min(early, 0.1))
         sim.run_until(stop, timeout=min(SLICE, left))
+
+
+class Interrupt:
+    """Remembers that Ctrl-C was pressed, or that somebody else wants an end; a second time ends everything at once."""
+
+    def __init__(self) -> None:
+        self.came = False
+
+    @contextlib.contextmanager
+    def caught(self) -> Iterator[None]:
+        """Catch Ctrl-C and its kin while the body runs."""
+        before = [(one, signal.signal(one, self._catch)) for one in _SIGNALS]
+        try:
+            yield
+        finally:
+            for one, handler in before:
+                signal.signal(one, handler)
+
+    def _catch(self, _number: int, _frame: FrameType | None) -> None:
+        if self.came:
+            raise KeyboardInterrupt
+        self.came = True

@@ -2,52 +2,124 @@
 
 from __future__ import annotations
 
+import argparse
+import importlib
 import socket
 import sys
 from collections.abc import Callable, Sequence
+from typing import Any
 
-from simkit.cli.complaint import USAGE_ERROR
-from simkit.cli.interrupt import Interrupt
-from simkit.graph import LogRecord
-from simkit.graph.screen import Screen
-from simkit.live import Host, Session, SessionError, call, find_session
-from simkit.live.commands import live_commands
+from simkit.cli.pace import Interrupt, run_for_a_person
+from simkit.commands.command import Call, ErrorText
+from simkit.commands.errors import FAILURE, USAGE_ERROR
+from simkit.commands.graph_facts import nodes
+from simkit.commands.parser import LineParser
+from simkit.commands.rosrun import LAST_WORDS
+from simkit.commands.run_options import take_options, wants_own_simulation
+from simkit.commands.table import COMMANDS, Entry, Place
+from simkit.diagnostics import Layout
+from simkit.errors import SimkitError
+from simkit.live import Host, Job, Session, SessionError, call, find_session
+from simkit.live.windows import show_windows
 from simkit.packages import PackagePath
 from simkit.simulation import Simulation
 
 _CONNECT_TIMEOUT = 2.0
 _ROS_USAGE_ERROR = 64  # what the tools of ROS end with
+_JOINABLE = ("rosrun", "roslaunch")
+
+
+def run_hosted(entry: Entry, words: Sequence[str]) -> int:
+    """Do a command in the simulation of another terminal, or in one that is hosted here; its exit code.
+
+    Args:
+        entry: A command that can begin a simulation.
+        words: The words after its name.
+    """
+    from simkit.launch import LaunchError
+
+    try:
+        return _run_hosted(entry, words)
+    except LaunchError as error:  # roslaunch's own words have several lines
+        print(error.text(Layout.of(sys.stderr)), file=sys.stderr)
+    except SessionError as error:
+        if entry.name != "roslaunch":
+            raise
+        print(error, file=sys.stderr)
+    return FAILURE
+
+
+def _run_hosted(entry: Entry, words: Sequence[str]) -> int:
+    module: Any = importlib.import_module(entry.module)
+    program = f"simkit {entry.name}"
+    parser = LineParser(
+        program, description=entry.summary, usage=module.USAGE, epilog=module.EPILOG
+    )
+    module.add_options(parser)
+    module.add_arguments(parser)
+    arguments = parser.parse_args(words)
+    rest = take_options(arguments, arguments.words, module.add_options, program=program)
+    own = module.own_words(arguments, rest)
+    alone = entry.name in _JOINABLE and wants_own_simulation(arguments)
+    if not alone and running_session() is not None:
+        if entry.name not in _JOINABLE:
+            raise SimkitError(
+                "it cannot run here: a simulation is running already in another terminal"
+            )
+        return elsewhere([entry.name, *own])
+    return _run_here(entry, own, arguments, alone=alone)
+
+
+def _run_here(
+    entry: Entry, words: Sequence[str], arguments: argparse.Namespace, *, alone: bool
+) -> int:
+    others = "" if alone else "; other terminals join it; Ctrl-C ends it"
+    with Simulation(arguments.seed or 0, screen=None) as sim:
+        job = Job(
+            Call(
+                simulation=sim,
+                words=words,
+                show_windows=lambda nodes: show_windows(sim, nodes),
+                opening=f"started a simulation{others}\n\n",
+                hosts=not alone,
+            ),
+            entry.load(),
+        )
+        with job.keys_of_this_terminal() as hand_over:
+
+            def is_over() -> bool:
+                hand_over()
+                for text in job.poll():
+                    show(text)
+                return job.exit_code is not None
+
+            if alone:
+                end = run_for_a_person(sim, is_over, seconds=arguments.seconds, fast=arguments.fast)
+            else:
+                end = "interrupted" if host(sim, is_over) else "over"
+            if end == "interrupted":
+                job.interrupt()
+                sim.run_until(is_over, timeout=LAST_WORDS)
+            if end == "idle":
+                names = nodes(sim.graph)
+                wait = "waits" if len(names) == 1 else "wait"
+                print(
+                    f"{', '.join(names)} {wait} for ever: nothing else runs here", file=sys.stderr
+                )
+        return job.exit_code or 0
 
 
 def host(sim: Simulation, until: Callable[[], bool]) -> bool:
     """Host a simulation until `until()` holds or Ctrl-C comes; whether Ctrl-C ended it."""
     interrupt = Interrupt()
+    joinable = {
+        name: lambda call, entry=entry: entry.load()(call)
+        for name, entry in COMMANDS.items()
+        if entry.place is Place.SHARED or name in _JOINABLE
+    }
     with interrupt.caught():
-        Host(sim, live_commands()).serve(lambda: interrupt.came or until())
+        Host(sim, joinable).serve(lambda: interrupt.came or until())
     return interrupt.came
-
-
-class OnlyFrom:
-    """A screen for some nodes: what the others say belongs into their own terminals.
-
-    Args:
-        is_meant: Whether a node of that name is one of them.
-        screen: Where it is shown.
-    """
-
-    def __init__(self, is_meant: Callable[[str], bool], screen: Screen) -> None:
-        self._is_meant = is_meant
-        self._screen = screen
-
-    def record(self, record: LogRecord) -> None:
-        """Show their lines of rosout."""
-        if self._is_meant(record.node):
-            self._screen.record(record)
-
-    def output(self, node: str, text: str) -> None:
-        """Show what they print."""
-        if self._is_meant(node):
-            self._screen.output(node, text)
 
 
 def running_session() -> Session | None:
@@ -95,5 +167,6 @@ def _folders_for(command: str) -> list[str]:
 
 def show(text: str) -> None:
     """Print what a command says, at once."""
-    sys.stdout.write(text)
-    sys.stdout.flush()
+    stream = sys.stderr if isinstance(text, ErrorText) else sys.stdout
+    stream.write(text)
+    stream.flush()

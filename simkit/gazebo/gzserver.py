@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from simkit.commands.errors import UsageError
 from simkit.diagnostics import Severity
 from simkit.gazebo.server import Gazebo
 from simkit.gazebo.services import offer_services
@@ -14,10 +15,9 @@ from simkit.gazebo.topics import publish_states
 from simkit.gazebo.watching import watch
 from simkit.gazebo.worlds import find_world
 from simkit.graph import Node
+from simkit.nodes.program import Program
 from simkit.packages import PackagePath
 from simkit.physics.sdf import SdfWorld
-from simkit.tools import UsageError
-from simkit.tools.program import Program
 
 USAGE: Final = "usage: gzserver [-u] [-r] [--verbose] [-e ENGINE] [WORLD_FILE]"
 _FLAGS = ("-r", "--record", "--verbose", "-q", "--quiet")

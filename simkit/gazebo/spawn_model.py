@@ -13,8 +13,8 @@ from simkit.gazebo.poses import pose_message
 from simkit.gazebo.spawn_arguments import USAGE, SpawnUsageError, read_arguments
 from simkit.graph import Node
 from simkit.msgs import Duration, service_class
+from simkit.nodes.program import Program
 from simkit.packages import PackagePath
-from simkit.tools.program import Program
 from simkit.xml import parse_xml
 
 POLL = Duration.from_nsec(100_000_000)

@@ -103,7 +103,7 @@ def list_text(plan: LaunchPlan, options: argparse.Namespace, packages: PackagePa
 
 def params_text(plan: LaunchPlan) -> str:
     """`--dump-params`: the parameters as YAML."""
-    from simkit.tools.parameter_yaml import dump_parameters
+    from simkit.commands.parameter_yaml import dump_parameters
 
     return dump_parameters(dict(plan.params)) + "\n"
 

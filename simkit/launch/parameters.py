@@ -66,7 +66,7 @@ def _step(
 
 
 def _dump(step: ParameterStep, params: ParameterServer) -> Iterator[str]:
-    from simkit.tools.parameter_yaml import dump_parameters
+    from simkit.commands.parameter_yaml import dump_parameters
 
     value = params.get(step.name, None)
     if value is None:

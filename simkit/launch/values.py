@@ -141,8 +141,8 @@ def load_yaml(text: str, *, file: str | None = None) -> Any:
     """
     import yaml
 
-    from simkit.tools.errors import ToolError
-    from simkit.tools.parameter_yaml import ParameterLoader
+    from simkit.commands.errors import ToolError
+    from simkit.commands.parameter_yaml import ParameterLoader
 
     try:
         value = _load(text, ParameterLoader)
@@ -177,7 +177,7 @@ def _mark_of(error: BaseException) -> tuple[int, int] | None:
 
 
 def _load(text: str, loader_class: type[yaml.SafeLoader]) -> Any:
-    from simkit.tools.yaml_bounds import REMEDY, TooManyValues, require_bounded
+    from simkit.commands.parameter_yaml import REMEDY, TooManyValues, require_bounded
 
     loader = loader_class(text)
     try:

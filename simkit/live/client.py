@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+from simkit.commands.command import ErrorText
 from simkit.live.keyboard import PERIOD, Keyboard
 from simkit.live.session import Session, SessionError
 
@@ -28,7 +29,7 @@ def call(
     Args:
         session: Where the simulation listens.
         argv: Command and arguments, e.g. `["rostopic", "echo", "/tf"]`.
-        show: Takes each piece of output.
+        show: Takes each piece of output; what belongs on standard error is an `ErrorText`.
         folders: Where this terminal has its packages: the simulation looks there, too.
 
     Files that the command names without a folder are in the folder of this process.
@@ -62,6 +63,8 @@ def call(
                 connection.settimeout(PERIOD)
             if "out" in answer:
                 show(answer["out"])
+            if "err" in answer:
+                show(ErrorText(answer["err"]))
             if "exit" in answer:
                 return int(answer["exit"])
     raise SessionError(_ENDED)

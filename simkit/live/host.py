@@ -1,9 +1,10 @@
 """Runs a simulation at the pace of the wall clock and does what other terminals ask.
 
 A terminal and its host exchange lines of JSON. The terminal begins with its request: `token`, `argv`, and in which folders
-`here` and `folders` it stands. The host answers with `{"out": text}` as often as there is something to show, once with
-`{"keys": true}` if the command reads the keyboard, and with `{"exit": code}` at the end; `{"error": text, "exit": code}`
-refuses. A terminal that was asked for keys sends `{"key": "up"}` for each. Whoever closes the connection ends the command.
+`here` and `folders` it stands. The host answers with `{"out": text}`, or `{"err": text}` for standard error, as often as
+there is something to show, once with `{"keys": true}` if the command reads the keyboard, and with `{"exit": code}` at the
+end; `{"error": text, "exit": code}` refuses. A terminal that was asked for keys sends `{"key": "up"}` for each. Whoever
+closes the connection ends the command.
 """
 
 from __future__ import annotations
@@ -17,9 +18,11 @@ import socket
 import time
 from collections.abc import Callable, Mapping, Sequence
 
+from simkit.commands.command import Call, Command, ErrorText
 from simkit.errors import SimkitError, UnknownNameError
-from simkit.live.jobs import Command, Job
+from simkit.live.job import Job
 from simkit.live.session import Session, announced
+from simkit.live.windows import show_windows
 from simkit.simulation import Simulation
 
 SLICE = 0.02
@@ -81,7 +84,13 @@ class Host:
         """
         if not argv or argv[0] not in self._commands:
             raise UnknownNameError("command", argv[0] if argv else "", self._commands)
-        return self._commands[argv[0]](self._sim, list(argv[1:]))
+        call = Call(
+            simulation=self._sim,
+            words=list(argv[1:]),
+            show_windows=lambda nodes: show_windows(self._sim, nodes),
+            opening="joined the simulation of another terminal\n\n",
+        )
+        return Job(call, self._commands[argv[0]])
 
     def _pace(self, server: socket.socket, until: Callable[[], bool]) -> None:
         start, virtual = time.monotonic(), 0.0
@@ -145,8 +154,10 @@ class Host:
     def _report(self, terminal: _Terminal) -> None:
         if terminal.job is None:
             return
-        text = terminal.job.poll()
-        listening = terminal.say(out=text) if text else True
+        listening = True
+        for text in filter(None, terminal.job.poll()):
+            stream = "err" if isinstance(text, ErrorText) else "out"
+            listening = terminal.say(**{stream: text}) and listening
         if terminal.job.exit_code is not None:
             terminal.say(exit=terminal.job.exit_code)
             listening = False

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from typing import Final
 
+from simkit.commands.errors import UsageError
 from simkit.graph import Node
 from simkit.msgs import Duration
-from simkit.tools import UsageError
-from simkit.tools.program import Program
+from simkit.nodes.program import Program
 
 USAGE: Final = "usage: gzclient [--verbose]"
 HINT: Final = "sim.gzclient() shows the world, sim.gzclient(live=True) follows it"

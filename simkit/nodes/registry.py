@@ -191,7 +191,7 @@ _BUILTIN = (
         package="rostopic",
         executable="rostopic",
         node_name="rostopic",
-        module="simkit.tools.rostopic_program",
+        module="simkit.nodes.rostopic",
         class_name="RostopicProgram",
         anonymous=True,
     ),

@@ -9,11 +9,11 @@ import argparse
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
+from simkit.commands.errors import UsageError
 from simkit.errors import SimkitError
 from simkit.graph import Node
+from simkit.nodes.program import Program
 from simkit.packages import PackagePath
-from simkit.tools import UsageError
-from simkit.tools.program import Program
 
 if TYPE_CHECKING:
     from simkit.viz.stage.rviz_settings import RvizSettings

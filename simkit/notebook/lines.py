@@ -1,30 +1,33 @@
-"""What each line of a notebook does. A new line is a function, and an entry in `LINES`."""
+"""What each line of a notebook does: the commands of `simkit.commands.table`, on the newest open simulation."""
 
 from __future__ import annotations
 
-import contextlib
-import io
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 
-from simkit.cli import main as command_line
+from IPython.display import display
+
+from simkit.commands.command import Bounds, Call, ErrorText, texts
+from simkit.commands.errors import HelpShown, UsageError
+from simkit.commands.roslaunch import read
+from simkit.commands.table import COMMANDS, Entry, Place
 from simkit.errors import SimkitError
+from simkit.graph.process import ScriptNode
 from simkit.launch import LaunchError, listings, summary_of
-from simkit.new_package import create_package
 from simkit.nodes import builtin_nodes
-from simkit.notebook.current import current_simulation
-from simkit.notebook.sliders import show_sliders
+from simkit.nodes.builtin import RunningBuiltin
+from simkit.nodes.joint_state_publisher import JointStatePublisherGui
 from simkit.notebook.starting import StartWatch
-from simkit.notebook.windows import show_windows
-from simkit.tools import Bounds, HelpShown, run_tool
-from simkit.tools.command_line import ArgumentParser
+from simkit.simulation import Simulation, newest_simulation
 
 START_SECONDS = 0.5
 """How long a simulation runs after a node was started, so that its first faults show [s]."""
 BOUNDS = Bounds(seconds=5.0, messages=10)
 """When `rostopic echo` and its kin end in a notebook."""
 _CTRL_C = ". Press ctrl-C to terminate"
+_of_lines: list[Simulation] = []
+"""The one that a line made: a notebook that has only lines has nobody else to hold it."""
 
 Line = Callable[[list[str]], None]
 """Does what the words of a line ask for."""
@@ -36,6 +39,16 @@ class LineError(SimkitError):
     def _render_traceback_(self) -> list[str]:
         # IPython asks an exception how it wants to be shown.
         return [str(self)]
+
+
+def current_simulation() -> Simulation:
+    """The newest open simulation of this process; a new one if there is none."""
+    newest = newest_simulation()
+    if newest is not None:
+        return newest
+    made = Simulation()
+    _of_lines[:] = [made]
+    return made
 
 
 def rosrun(words: list[str]) -> None:
@@ -59,7 +72,6 @@ def rosrun(words: list[str]) -> None:
                 node.shutdown()
     watch.show_rest(node)
     show_windows(sim, [node])
-    show_sliders(sim, [node])
 
 
 def roslaunch(words: list[str]) -> None:
@@ -70,12 +82,10 @@ def roslaunch(words: list[str]) -> None:
     The simulation runs for half a second, so that what the nodes say at their start stands below.
     """
     try:
-        options, names = _roslaunch_parser().parse_known_args(words)
+        options, names = read(words, program="%roslaunch")
     except HelpShown as text:
         print(text)
         return
-    if not names:
-        raise SimkitError("usage: %roslaunch PACKAGE FILE [NAME:=VALUE]")
     sim = current_simulation()
     try:
         plan = sim.launch_plan(*names)
@@ -89,81 +99,69 @@ def roslaunch(words: list[str]) -> None:
         launch = sim.roslaunch(plan, all_on_screen=options.screen)
         sim.run(START_SECONDS)
     watch.show_launch(launch)
-    nodes = list(launch.nodes.values())
-    show_windows(sim, nodes)
-    show_sliders(sim, nodes)
+    show_windows(sim, list(launch.nodes.values()))
 
 
-def _roslaunch_parser() -> ArgumentParser:
-    usage = "%%roslaunch [OPTIONS] PACKAGE FILE [NAME:=VALUE]"
-    parser = ArgumentParser("%roslaunch", usage=usage)
-    parser.add_argument("--screen", action="store_true", help="show what all nodes print")
-    listings.add_list_options(parser)
-    return parser
-
-
-def tool(name: str, words: list[str]) -> None:
-    """Use a tool of ROS on the simulation: rostopic, rosnode, rosservice, rosparam.
+def shared(entry: Entry, words: list[str]) -> None:
+    """Use a tool of ROS on the simulation.
 
     What would go on until Ctrl-C ends after a few messages or seconds.
     """
     sim = current_simulation()
     before = set(sim.nodes())
-    run_tool(sim, name, words, write=_write, bounds=BOUNDS)
+    _show(entry, Call(simulation=sim, words=words, bounds=BOUNDS))
     for node in sorted(set(sim.nodes()) - before):
         print(f"{node} goes on; %rosnode kill {node} ends it")
         sim.run(START_SECONDS)
 
 
-def command(name: str, words: list[str]) -> None:
-    """As `simkit` in a terminal: rosmsg, rossrv, rospack."""
-    complaint = io.StringIO()
-    with contextlib.redirect_stderr(complaint):
-        code = command_line([name, *words])
-    if code:
-        raise SimkitError(complaint.getvalue().removeprefix(f"simkit {name}: "))
+def here(entry: Entry, words: list[str]) -> None:
+    """As `simkit` does in a terminal."""
+    try:
+        _show(entry, Call(words=words))
+    except HelpShown as text:
+        print(text)
+    except UsageError as error:
+        raise SimkitError(str(error).removeprefix(f"simkit {entry.name}: ")) from None
 
 
-def check_urdf(words: list[str]) -> None:
-    """Say what ROS makes of a URDF, and what is wrong with it: `%check_urdf hello_ros/urdf/robot.urdf`.
+def show_windows(sim: Simulation, nodes: Iterable[ScriptNode | RunningBuiltin]) -> None:
+    """Display the view of each rviz or gzclient, and the sliders of each joint_state_publisher_gui.
 
-    A file that is refused is no error of the cell: what is wrong stands below it.
+    Args:
+        sim: The simulation.
+        nodes: What was just started.
     """
-    if not words:
-        raise SimkitError("usage: %check_urdf FILE")
-    # One stream: a notebook would show the other one apart, and in red, a mere note too.
-    with contextlib.redirect_stderr(sys.stdout):
-        command_line(["check_urdf", *words])
+    for node in nodes:
+        window = sim.window_of(node)
+        if window is not None:
+            display(window)  # type: ignore[no-untyped-call]
+        program = getattr(node, "program", None)
+        if isinstance(program, JointStatePublisherGui) and node.alive:
+            display(sim.joint_sliders(node.name))  # type: ignore[no-untyped-call]
 
 
-def catkin_create_pkg(words: list[str]) -> None:
-    """Make the folder of a new package: `%catkin_create_pkg hello_ros rospy tf`."""
-    if not words:
-        raise SimkitError("usage: %catkin_create_pkg NAME [DEPENDENCIES]")
-    print(create_package(words[0], words[1:]))
+def _show(entry: Entry, call: Call) -> None:
+    for text in texts(call, entry.load()(call)):
+        # One stream: a notebook would show the other one apart, and in red, a mere note too.
+        sys.stdout.write(str(text) if isinstance(text, ErrorText) else text.replace(_CTRL_C, ""))
 
 
-def _write(text: str) -> None:
-    sys.stdout.write(text.replace(_CTRL_C, ""))
+def _lines() -> Mapping[str, Line]:
+    own: Mapping[str, Line] = {"rosrun": rosrun, "roslaunch": roslaunch}
+    return {
+        name: own[name] if name in own else _described(entry)
+        for name, entry in COMMANDS.items()
+        if not entry.not_in_notebook
+    }
 
 
-def _described(line: Callable[[str, list[str]], None], name: str) -> Line:
-    described = partial(line, name)
-    described.__doc__ = line.__doc__
+def _described(entry: Entry) -> Line:
+    line: Callable[[Entry, list[str]], None] = here if entry.place is Place.HERE else shared
+    described = partial(line, entry)
+    described.__doc__ = f"{entry.summary[:1].upper()}{entry.summary[1:]}.\n\n{line.__doc__}"
     return described
 
 
-LINES: Mapping[str, Line] = {
-    "catkin_create_pkg": catkin_create_pkg,
-    "check_urdf": check_urdf,
-    "roslaunch": roslaunch,
-    "rosrun": rosrun,
-    "rosnode": _described(tool, "rosnode"),
-    "rosparam": _described(tool, "rosparam"),
-    "rosservice": _described(tool, "rosservice"),
-    "rostopic": _described(tool, "rostopic"),
-    "rosmsg": _described(command, "rosmsg"),
-    "rospack": _described(command, "rospack"),
-    "rossrv": _described(command, "rossrv"),
-}
+LINES: Mapping[str, Line] = _lines()
 """The lines by name."""

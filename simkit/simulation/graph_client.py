@@ -7,10 +7,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from simkit import msgs
+from simkit.commands.topic_pub import publish, value_of
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.graph import Node, ServiceFailed
 from simkit.msgs import Message
-from simkit.tools.topic_pub import publish, value_of
 
 if TYPE_CHECKING:
     from simkit.simulation.simulation import Simulation

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Final
 
-from simkit.saving import save_as
 from simkit.viz.page.html import inline_frame
 from simkit.viz.page.scene_data import scene_data
 from simkit.viz.page.view_page import TITLE, page_height, view_page
 from simkit.viz.plots.recorded import RecordedTopics
 from simkit.viz.rviz_tape import RvizTape, rviz_tape
+from simkit.viz.saving import save_as
 from simkit.viz.stage.robot import RobotShapes
 from simkit.viz.stage.rviz_settings import RvizSettings
 from simkit.viz.stage.world_scene import WorldSettings

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from simkit.saving import save_as
 from simkit.viz.page.html import inline_frame
 from simkit.viz.page.scene_data import summary
 from simkit.viz.page.view_page import page_height, rviz_page
+from simkit.viz.saving import save_as
 from simkit.viz.stage.scene import Scene
 from simkit.viz.still.picture import still_image
 

@@ -1,6 +1,10 @@
 """Simulations and scripts for the tests of simkit."""
 
 import importlib.util
+import os
+import signal
+import subprocess
+import sys
 import textwrap
 from pathlib import Path
 
@@ -82,3 +86,48 @@ def drive_turtle():
         return readings
 
     return drive
+
+
+@pytest.fixture
+def own_session(tmp_path, monkeypatch):
+    """No test finds the simulation of another one, or of a person at this machine."""
+    monkeypatch.setenv("SIMKIT_SESSION", str(tmp_path / "session.json"))
+
+
+@pytest.fixture
+def simkit(capfd, own_session):
+    """A function that runs a command line here: (exit code, output, error output)."""
+
+    from simkit.cli import main
+
+    def run(*words):
+        code = main(words)
+        captured = capfd.readouterr()
+        return code, captured.out, captured.err
+
+    return run
+
+
+@pytest.fixture
+def begin(tmp_path, own_session):
+    """A function that begins a command line as a process of its own; all are ended afterwards."""
+    processes = []
+
+    def begin(*words, folder=None):
+        process = subprocess.Popen(
+            [sys.executable, "-m", "simkit.cli", *words],
+            cwd=folder or tmp_path,
+            env=os.environ.copy(),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            # Tests that run in the background of a shell ignore Ctrl-C, and so would this one.
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+        )
+        processes.append(process)
+        return process
+
+    yield begin
+    for process in processes:
+        process.kill()
+        process.communicate()

@@ -8,12 +8,12 @@ from __future__ import annotations
 import argparse
 from typing import Any, NoReturn
 
+from simkit.commands.parameter_yaml import load_parameters
 from simkit.graph import Node, ServiceFailed
 from simkit.msgs import message_class
 from simkit.nodes.controller_manager.errand import Errand, run
 from simkit.nodes.controller_manager.services import ManagerClient
-from simkit.tools.parameter_yaml import load_parameters
-from simkit.tools.program import Program
+from simkit.nodes.program import Program
 
 _LOST = "Controller Spawner couldn't find the expected controller_manager ROS interface."
 

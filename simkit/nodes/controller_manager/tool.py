@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from simkit.graph import Node, ServiceFailed
 from simkit.nodes.controller_manager.errand import Errand, run
 from simkit.nodes.controller_manager.services import BEST_EFFORT, ManagerClient
-from simkit.tools.program import Program
+from simkit.nodes.program import Program
 
 USAGE = """\
 Commands:

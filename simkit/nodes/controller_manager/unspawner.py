@@ -8,7 +8,7 @@ from __future__ import annotations
 from simkit.graph import Node, ServiceFailed
 from simkit.nodes.controller_manager.errand import Errand, run
 from simkit.nodes.controller_manager.services import BEST_EFFORT, ManagerClient
-from simkit.tools.program import Program
+from simkit.nodes.program import Program
 
 USAGE = """\
 ./unspawner name1 name2 name3

@@ -10,7 +10,7 @@ from simkit.nodes.joint_state_publisher.crash import Crash
 from simkit.nodes.joint_state_publisher.joints import read_joints
 from simkit.nodes.joint_state_publisher.settings import Settings, read_settings
 from simkit.nodes.joint_state_publisher.table import JointTable
-from simkit.tools.program import Program
+from simkit.nodes.program import Program
 
 
 class JointStatePublisher(Program):

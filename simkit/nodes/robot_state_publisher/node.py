@@ -8,12 +8,12 @@ from typing import Any
 from simkit.errors import SimkitError
 from simkit.graph import Node
 from simkit.msgs import Duration, Time, message_class
+from simkit.nodes.program import Program
 from simkit.nodes.robot_state_publisher.description import find_robot
 from simkit.nodes.robot_state_publisher.gate import PublishGate, Throttle
 from simkit.nodes.robot_state_publisher.segments import segments_of
 from simkit.nodes.robot_state_publisher.waiting import PATIENCE, Waiting
 from simkit.tf import StaticTransformBroadcaster, TransformBroadcaster
-from simkit.tools.program import Program
 from simkit.urdf import Robot
 
 AHEAD = Duration.from_nsec(500_000_000)

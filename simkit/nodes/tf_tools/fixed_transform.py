@@ -11,7 +11,7 @@ from simkit.errors import SimkitError
 from simkit.geometry import Quaternion, Vector, multiply
 from simkit.graph import Node
 from simkit.msgs import message_class
-from simkit.tools.numbers import is_number
+from simkit.nodes.tf_tools.numbers import is_number
 
 YPR = ("x", "y", "z", "yaw", "pitch", "roll")
 """Numbers of a transform whose rotation is given as angles."""

@@ -8,9 +8,13 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from simkit.commands.errors import UsageError
+from simkit.commands.parser import ArgumentParser
 from simkit.geometry import roll_pitch_yaw
 from simkit.graph import Node
 from simkit.msgs import Duration
+from simkit.nodes.program import Program
+from simkit.nodes.tf_tools.numbers import leading_number
 from simkit.tf import (
     Buffer,
     InvalidArgumentException,
@@ -20,10 +24,6 @@ from simkit.tf import (
 )
 from simkit.tf.hints import hint_for
 from simkit.tf.path import StampedTransform
-from simkit.tools.command_line import ArgumentParser
-from simkit.tools.errors import UsageError
-from simkit.tools.numbers import leading_number
-from simkit.tools.program import Program
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

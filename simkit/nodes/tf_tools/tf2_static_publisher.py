@@ -9,15 +9,15 @@ from typing import Any
 
 from simkit.graph import Node
 from simkit.msgs import MessageError, fill_message, message_class
+from simkit.nodes.program import Program
 from simkit.nodes.tf_tools.fixed_transform import (
     BadTransformError,
     WrongNumberError,
     parse_transform,
     tell_reading,
 )
+from simkit.nodes.tf_tools.numbers import is_number
 from simkit.tf import StaticTransformBroadcaster
-from simkit.tools.numbers import is_number
-from simkit.tools.program import Program
 
 USAGE = """\
 Sends one transform that holds for ever.

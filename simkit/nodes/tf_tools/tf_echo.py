@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from simkit.graph import Node, Timer
 from simkit.msgs import Duration
+from simkit.nodes.program import Program
+from simkit.nodes.tf_tools.numbers import leading_number
 from simkit.tf import Buffer, TransformListener, echo_text
 from simkit.tf.admission import without_slash
-from simkit.tools.numbers import leading_number
-from simkit.tools.program import Program
 
 USAGE = """\
 Usage: tf_echo source_frame target_frame [echo_rate]

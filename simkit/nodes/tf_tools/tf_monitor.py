@@ -9,10 +9,10 @@ from typing import Any
 
 from simkit.graph import Node, Timer
 from simkit.msgs import Duration, message_class
+from simkit.nodes.program import Program
 from simkit.tf import Buffer, TransformException, TransformListener
 from simkit.tf.admission import without_slash
 from simkit.tf.monitor import ChainDelay, TransformMonitor
-from simkit.tools.program import Program
 
 LOOK = Duration.from_nsec(10_000_000)
 """How often it looks."""

@@ -8,16 +8,16 @@ from __future__ import annotations
 
 from simkit.graph import Node
 from simkit.msgs import Duration
+from simkit.nodes.program import Program
 from simkit.nodes.tf_tools.fixed_transform import (
     BadTransformError,
     WrongNumberError,
     parse_transform,
     tell_reading,
 )
+from simkit.nodes.tf_tools.numbers import leading_number
 from simkit.tf import TransformBroadcaster
 from simkit.tf.admission import rotation_advice
-from simkit.tools.numbers import leading_number
-from simkit.tools.program import Program
 
 USAGE = """\
 Sends one transform again and again.

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from simkit.graph import Node
 from simkit.msgs import Duration
+from simkit.nodes.program import Program
 from simkit.tf import Buffer, TransformListener
-from simkit.tools.program import Program
 
 LISTENS = Duration(5)
 """How long it listens."""

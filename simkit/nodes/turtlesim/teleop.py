@@ -12,7 +12,7 @@ from typing import Any
 from simkit.errors import UnknownNameError
 from simkit.graph import Node
 from simkit.msgs import message_class
-from simkit.tools.program import Program
+from simkit.nodes.program import Program
 
 GREETING = """\
 Reading from keyboard

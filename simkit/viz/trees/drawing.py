@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from simkit.saving import save_as
 from simkit.viz.draw.drawing import (
     Area,
     Curve,
@@ -19,6 +18,7 @@ from simkit.viz.draw.drawing import (
 )
 from simkit.viz.draw.letters import shortened
 from simkit.viz.draw.svg import svg_text
+from simkit.viz.saving import save_as
 from simkit.viz.trees.layout import (
     CARD_PADDING,
     FACT_HEIGHT,

@@ -11,11 +11,11 @@ from typing import Any, Final
 
 from simkit.nodes.turtlesim import Frame
 from simkit.nodes.turtlesim.window import METRE_PX, SIDE, SIDE_PX
-from simkit.saving import save_as
 from simkit.viz.draw.letters import shortened
 from simkit.viz.draw.svg import number, placed, svg_element
 from simkit.viz.draw.thinning import Row
 from simkit.viz.page.html import escaped, html_page, inline_frame
+from simkit.viz.saving import save_as
 from simkit.viz.tape_controls import tape_controls
 from simkit.viz.turtlesim.picture import Picture, turtle_shapes
 from simkit.viz.turtlesim.tape import Trail, TurtleMotion, TurtleTape, turtle_tape

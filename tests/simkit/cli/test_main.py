@@ -8,18 +8,18 @@ import pytest
 
 from simkit import __version__
 from simkit.cli import main
-from simkit.cli.parser import terminal_width
-from simkit.cli.registry import commands
+from simkit.commands.parser import terminal_width
+from simkit.commands.table import COMMANDS
 
 
 @pytest.mark.parametrize("words", [(), ("-h",), ("--help",), ("help",)])
 def test_the_help_lists_every_command_under_its_group(simkit, words):
     code, out, err = simkit(*words)
     assert (code, err) == (0, "")
-    for command in commands().values():
+    for command in COMMANDS.values():
         assert f"  {command.name} " in out
         assert f"{command.group}:\n" in out
-    assert len({command.group for command in commands().values()}) > 2
+    assert len({command.group for command in COMMANDS.values()}) > 2
 
 
 def test_the_version(simkit):
@@ -33,7 +33,7 @@ def test_an_unknown_command_names_near_ones(simkit):
     assert err.count("\n") == 1
 
 
-@pytest.mark.parametrize("name", list(commands()))
+@pytest.mark.parametrize("name", list(COMMANDS))
 def test_every_command_has_help_and_refuses_nonsense_in_one_line(simkit, name):
     code, out, _ = simkit(name, "--help")
     assert code == 0
@@ -66,10 +66,10 @@ def test_a_reader_that_has_enough_is_no_error():
 
 
 def test_ctrl_c_is_an_exit_code(monkeypatch):
-    def interrupt(_arguments):
+    def interrupt(_call):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("simkit.cli.rospack.run", interrupt)
+    monkeypatch.setattr("simkit.commands.rospack.run", interrupt)
     assert main(["rospack", "list"]) == 130
 
 

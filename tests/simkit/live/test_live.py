@@ -15,19 +15,18 @@ from simkit.live import Session, SessionError, call, find_session
 HOST = """
     import os, sys
     from simkit import Simulation
-    from simkit.live import DoneJob, Host, NodeJob
+    from simkit.commands.rosrun import run as rosrun
+    from simkit.live import Host
 
-    def rosrun(sim, argv):
-        return NodeJob(sim, sim.rosrun(*argv))
+    def time(call):
+        yield f"{call.sim.now.to_sec():.3f}\\n"
+
+    def where(call):
+        yield os.getcwd()
 
     sim = Simulation(package_path=[sys.argv[1]], screen=None)
-    commands = {
-        "rosrun": rosrun,
-        "time": lambda sim, argv: DoneJob(f"{sim.now.to_sec():.3f}\\n"),
-        "where": lambda sim, argv: DoneJob(os.getcwd()),
-    }
     print("up", flush=True)
-    Host(sim, commands).serve(lambda: False)
+    Host(sim, {"rosrun": rosrun, "time": time, "where": where}).serve(lambda: False)
     sim.close()
     """
 

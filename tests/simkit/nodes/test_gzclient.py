@@ -2,10 +2,10 @@ from __future__ import annotations
 
 import pytest
 
+from simkit.commands.errors import UsageError
 from simkit.graph import Executor, Graph
 from simkit.nodes import builtin_nodes
 from simkit.nodes.gzclient import HINT, GzclientProgram
-from simkit.tools import UsageError
 
 
 @pytest.fixture

@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import pytest
 
+from simkit.commands.errors import UsageError
 from simkit.graph import Executor, Graph
 from simkit.nodes import builtin_nodes
 from simkit.nodes.rviz import RvizProgram
 from simkit.packages import PackagePath
-from simkit.tools import UsageError
 from simkit.viz import RvizSettings
 
 

@@ -7,10 +7,10 @@ import math
 import pytest
 
 from simkit import SimkitError, Simulation, UnknownNameError
+from simkit.commands.table import run_command
 from simkit.graph import GraphError, LogLevel, ServiceFailed
 from simkit.graph.screen import StreamScreen
 from simkit.msgs import Time, message_class
-from simkit.tools import run_tool
 
 START = 1_600_088_400
 
@@ -182,7 +182,7 @@ def test_publishing_what_is_wrong_is_refused_as_rostopic_does(sim, arguments, wo
         sim.rostopic_pub(*arguments)
     line = list(arguments) if words is None else [*arguments[:2], words]
     with pytest.raises(SimkitError) as of_command:
-        run_tool(sim, "rostopic", ["pub", *line, *([] if len(line) > 2 else ["{}"])])
+        run_command(sim, "rostopic", ["pub", *line, *([] if len(line) > 2 else ["{}"])])
     assert str(of_command.value).removeprefix("ERROR: ") == str(of_method.value).removeprefix(
         "ERROR: "
     )
@@ -194,7 +194,7 @@ def test_a_rate_that_cannot_be_is_refused_as_rostopic_does(sim, rate):
     with pytest.raises(SimkitError) as of_method:
         sim.rostopic_pub("/x", "std_msgs/String", "x", rate=rate)
     with pytest.raises(SimkitError) as of_command:
-        run_tool(sim, "rostopic", ["pub", f"--rate={rate}", "/x", "std_msgs/String", "x"])
+        run_command(sim, "rostopic", ["pub", f"--rate={rate}", "/x", "std_msgs/String", "x"])
     assert str(of_command.value).endswith(str(of_method.value))
 
 

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from simkit import Simulation
+from simkit.commands.table import run_command
 from simkit.physics import NoEngineError
 from simkit.physics.engine import dart
-from simkit.tools import run_tool
 
 ROBOTS = Path(__file__).resolve().parents[4] / "robots"
 COMMAND = '{joint_names: ["hip","shoulder"], points: [{positions: [0.1,-0.5], time_from_start: [1.0,0.0]}]}'
@@ -38,7 +38,7 @@ def new_sim():
 
 def publish(sim, text=COMMAND):
     words = ["pub", "/arm_controller/command", "trajectory_msgs/JointTrajectory", text]
-    run_tool(sim, "rostopic", words, write=lambda _: None)
+    run_command(sim, "rostopic", words, write=lambda _: None)
 
 
 def positions(sim):

@@ -1,0 +1,136 @@
+"""`rostopic echo`: prints the messages of a topic as they come, as YAML or as rows of numbers.
+
+Source: rostopic's `_str_plot` and `_str_plot_fields` for `-p`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from simkit.commands.command import Write
+from simkit.commands.errors import ToolError
+from simkit.commands.topic_search import Found, TopicWatcher
+from simkit.graph import Node
+from simkit.msgs import Message, Time, TVal, strify_message
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EchoForm:
+    """How messages are shown."""
+
+    count: int | None = None
+    "So many messages; any number if None."
+    csv: bool = False
+    "Numbers with commas, for a plot."
+    arrays: bool = True
+    "Show the elements of arrays, not only their number."
+    strings: bool = True
+    "Show strings, not only their length."
+
+
+class TopicEcho(TopicWatcher):
+    """Prints each message of a topic, or one field of it, until its number is reached.
+
+    Args:
+        node: The node that listens.
+        words: The topic, perhaps with a field: `/turtle1/pose/x`.
+        write: Takes what is printed.
+        form: How messages are shown.
+        on_done: Called when the number is reached, or something is wrong.
+
+    Attributes:
+        printed: So many messages were printed.
+    """
+
+    def __init__(
+        self,
+        node: Node,
+        words: str,
+        write: Write,
+        *,
+        form: EchoForm | None = None,
+        on_done: Callable[[], None] | None = None,
+    ) -> None:
+        self._form = form or EchoForm()
+        self.printed = 0
+        super().__init__(node, words, write, on_done)
+
+    def _listen(self, found: Found) -> None:
+        self.node.subscribe(
+            found.topic, found.message_class, lambda message: self._echo(found, message)
+        )
+
+    def _echo(self, found: Found, message: Message) -> None:
+        if self.done:
+            return
+        try:
+            value = found.value(message)
+        except ToolError as error:
+            self._finish(error)
+            return
+        self._write(self._csv(value) if self._form.csv else self._yaml(found, value))
+        self.printed += 1
+        if self.printed == self._form.count:
+            self._finish()
+
+    def _csv(self, value: Any) -> str:
+        header = f"{csv_header(value)}\n" if self.printed == 0 else ""
+        return f"{header}{csv_row(value, self.node.now())}\n"
+
+    def _yaml(self, found: Found, value: Any) -> str:
+        if isinstance(value, bytes) and found.field_type.startswith("uint8["):
+            value = list(value)
+        return f"{strify_message(self._shown(value))}\n---\n"
+
+    def _shown(self, value: Any) -> Any:
+        if self._form.arrays and self._form.strings:
+            return value
+        return _Outline(value, self._form) if isinstance(value, Message) else value
+
+
+class _Outline:
+    """A message whose arrays or strings are told by their size."""
+
+    def __init__(self, message: Message, form: EchoForm) -> None:
+        self.__slots__ = list(message.__slots__)
+        self._slot_types = list(message._slot_types)
+        for name, kind in zip(message.__slots__, message._slot_types, strict=True):
+            value = getattr(message, name)
+            if "[" in kind and not form.arrays:
+                base = kind.partition("[")[0]
+                value = f"<array type: {base}, length: {len(value)}>"
+            elif kind == "string" and not form.strings:
+                value = f"<string length: {len(value)}>"
+            elif isinstance(value, Message):
+                value = _Outline(value, form)
+            setattr(self, name, value)
+
+
+def csv_header(value: Any) -> str:
+    """The first line: `%time,field.x,field.y`."""
+    return "%time," + ",".join(name for name, _ in _cells("field", value))
+
+
+def csv_row(value: Any, now: Time) -> str:
+    """One line: time [ns] (of the message's header if it has one), and every value."""
+    stamped = isinstance(value, Message) and value._has_header
+    time = value.header.stamp if stamped else now
+    return f"{time.to_nsec()}," + ",".join(text for _, text in _cells("field", value))
+
+
+def _cells(name: str, value: Any) -> Iterator[tuple[str, str]]:
+    """Name and text of each value in a message, in order."""
+    if isinstance(value, Message):
+        for field in value.__slots__:
+            yield from _cells(f"{name}.{field}", getattr(value, field))
+    elif isinstance(value, list | tuple | bytes):
+        for index, item in enumerate(value):
+            yield from _cells(f"{name}{index}", item)
+    elif isinstance(value, bool):
+        yield name, str(int(value))
+    elif isinstance(value, TVal):
+        yield name, str(value.to_nsec())
+    else:
+        yield name, str(value)
