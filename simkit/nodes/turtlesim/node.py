@@ -32,6 +32,7 @@ class TurtlesimNode:
     """
 
     def __init__(self, node: Node, _argv: list[str]) -> None:
+        self.output = ""
         self._node = node
         self._endpoints: dict[str, _TurtleEndpoints] = {}
         self._is_ticking = False
@@ -53,6 +54,7 @@ class TurtlesimNode:
     def tell(self, url: str) -> None:
         """Print where the window is, for a person at a terminal."""
         text = f"turtlesim is at {url} (open it in a browser; Ctrl-C ends it)\n"
+        self.output += text
         self._node.graph.show_output(self._node.name, text)
 
     def _tick(self) -> None:

@@ -33,4 +33,4 @@ def test_a_robot_is_checked_and_what_is_wrong_stands_below(cells):
     assert clean.out.startswith("robot name is: arm\n---------- Successfully Parsed XML")
     assert clean.err == ""
     assert "did you mean robot.urdf?" in unknown.out
-    assert "usage: %check_urdf FILE" in nothing.out + nothing.err
+    assert "%check_urdf: Expect URDF xml file to parse" in nothing.out + nothing.err
