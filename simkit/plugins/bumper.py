@@ -13,13 +13,12 @@ from simkit.errors import near_names
 from simkit.geometry import Vector
 from simkit.msgs import Time, message_class
 from simkit.physics import Contact, Side
-from simkit.plugins.naming import resolve_frame, tf_prefix
 from simkit.plugins.parameters import place
 from simkit.plugins.plugin import NEVER, Plugin
-from simkit.plugins.sensor_rate import SensorRate
+from simkit.plugins.rate import SensorRate
 from simkit.plugins.sensor_tag import SensorTag, read_sensor, warn_of_strangers
 from simkit.plugins.site import Site
-from simkit.plugins.tag_texts import topic_at_root
+from simkit.plugins.tag_values import resolve_frame, tf_prefix, topic_at_root
 from simkit.plugins.tags import BumperParameters
 
 MOST_STEPS = 100

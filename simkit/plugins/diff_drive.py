@@ -7,22 +7,20 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from simkit.plugins.acceleration import SpeedRamp
-from simkit.plugins.encoder import EncoderOdometry
-from simkit.plugins.naming import resolve_frame, shown_namespace, tf_prefix, topic_of
 from simkit.plugins.odometry import (
     Covariances,
+    EncoderOdometry,
     Frames,
-    OdometryVoice,
+    OdometryPublisher,
     planar_covariance,
     world_motion,
 )
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.rate import UpdateRate
 from simkit.plugins.site import Site
+from simkit.plugins.tag_values import resolve_frame, shown_namespace, tf_prefix, topic_of
 from simkit.plugins.tags import DiffDriveParameters
-from simkit.plugins.wheel_reports import WheelStates, WheelTransforms
-from simkit.plugins.wheels import TwistEar, Wheel
+from simkit.plugins.wheels import SpeedRamp, TwistListener, Wheel, WheelStates, WheelTransforms
 
 COVARIANCES = Covariances(pose=planar_covariance(1e-5, 1e-5, 1e-3), twist=[0.0] * 36)
 """What odometry says of its errors, whatever they are."""
@@ -54,7 +52,7 @@ class DiffDrive(Plugin[DiffDriveParameters]):
         self._ramp = SpeedRamp(parameters.wheel_acceleration)
         self._command_topic = topic_of(site, "commandTopic", parameters.command_topic)
         self._odometry_topic = topic_of(site, "odometryTopic", parameters.odometry_topic)
-        self._odometry: OdometryVoice | None = None
+        self._odometry: OdometryPublisher | None = None
         self._wheels: list[WheelStates | WheelTransforms] = []
 
     @classmethod
@@ -68,7 +66,7 @@ class DiffDrive(Plugin[DiffDriveParameters]):
             name = self.site.model.name
             self.site.node.info(f"DiffDrive missing <robotNamespace>, defaults is {name}")
         self._advertise()
-        self._ear = TwistEar(self.site, self._command_topic)
+        self._commands = TwistListener(self.site, self._command_topic)
         self._say(f"Subscribe to {self.parameters.command_topic}")
         self._begin()
 
@@ -87,19 +85,19 @@ class DiffDrive(Plugin[DiffDriveParameters]):
 
     def on_reset(self) -> None:
         """Forget the command, and what the encoders counted."""
-        self._ear.forget()
+        self._commands.forget()
         self._ramp.reset()
         if self._encoder is not None:
             self._encoder.reset()
         self._begin()
 
     def on_detach(self) -> None:
-        """Be silent and deaf, and let the wheels roll."""
+        """Withdraw from all topics, and let the wheels roll."""
         if self._odometry is not None:
             self._odometry.close()
         for report in self._wheels:
             report.close()
-        self._ear.close()
+        self._commands.close()
         self._left.release()
         self._right.release()
 
@@ -139,7 +137,7 @@ class DiffDrive(Plugin[DiffDriveParameters]):
                 parent=resolve_frame(given.odometry_frame, prefix),
                 child=resolve_frame(given.robot_base_frame, prefix),
             )
-            self._odometry = OdometryVoice(
+            self._odometry = OdometryPublisher(
                 site,
                 self._odometry_topic,
                 frames=frames,
@@ -168,7 +166,7 @@ class DiffDrive(Plugin[DiffDriveParameters]):
         encoder.advance(self._rolled[0] - left, self._rolled[1] - right, seconds)
 
     def _obey(self) -> None:
-        targets = self._ear.rim_speeds(self.parameters.wheel_separation)
+        targets = self._commands.rim_speeds(self.parameters.wheel_separation)
         measured = (self._left.rim_speed, self._right.rim_speed)
         left, right = self._ramp.next_speeds(targets, measured, self._rate.elapsed_ns * 1e-9)
         self._left.drive(left)

@@ -16,12 +16,12 @@ import numpy as np
 from simkit.geometry import Vector, multiply, rotate
 from simkit.msgs import message_class, service_class
 from simkit.plugins.errors import PluginError
-from simkit.plugins.imu_message import imu_message
+from simkit.plugins.messages import imu_message
 from simkit.plugins.noise import generator
 from simkit.plugins.parameters import place
 from simkit.plugins.plugin import NEVER, Plugin
 from simkit.plugins.site import Site
-from simkit.plugins.tag_texts import read_triple, read_turn, topic_at_root
+from simkit.plugins.tag_values import read_triple, read_turn, topic_at_root
 from simkit.plugins.tags import ImuParameters
 
 

@@ -12,15 +12,13 @@ import numpy as np
 
 from simkit.geometry import Vector, conjugate, multiply, rotate
 from simkit.msgs import message_class
-from simkit.plugins.imu_message import imu_message
-from simkit.plugins.imu_tag import AxisNoise
-from simkit.plugins.naming import topic_of
-from simkit.plugins.noise import generator
+from simkit.plugins.messages import imu_message
+from simkit.plugins.noise import AxisNoise, generator
 from simkit.plugins.plugin import NEVER, Plugin
-from simkit.plugins.sensor_rate import SensorRate
+from simkit.plugins.rate import SensorRate
 from simkit.plugins.sensor_tag import read_sensor, sensor_pose
 from simkit.plugins.site import Site
-from simkit.plugins.tag_texts import read_triple, read_turn
+from simkit.plugins.tag_values import read_triple, read_turn, topic_of
 from simkit.plugins.tags import ImuSensorParameters
 
 

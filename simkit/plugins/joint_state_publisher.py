@@ -12,12 +12,12 @@ from simkit.errors import near_names
 from simkit.msgs import message_class
 from simkit.physics import ModelJoint
 from simkit.plugins.errors import PluginError
-from simkit.plugins.joint_states import joint_state_message
-from simkit.plugins.naming import shown_namespace, topic_of
+from simkit.plugins.messages import joint_state_message
 from simkit.plugins.parameters import place
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.rate import UpdateRate
 from simkit.plugins.site import Site
+from simkit.plugins.tag_values import shown_namespace, topic_of
 from simkit.plugins.tags import JointStatePublisherParameters
 
 TOPIC = "joint_states"

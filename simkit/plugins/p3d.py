@@ -12,13 +12,12 @@ from simkit.errors import near_names
 from simkit.geometry import Transform, Vector, conjugate, multiply, rotate
 from simkit.msgs import message_class
 from simkit.plugins.errors import PluginError
-from simkit.plugins.naming import resolve_frame, tf_prefix, topic_of
 from simkit.plugins.noise import generator
 from simkit.plugins.odometry import diagonal
 from simkit.plugins.parameters import place
 from simkit.plugins.plugin import NEVER, Plugin
 from simkit.plugins.site import Site
-from simkit.plugins.tag_texts import read_triple, read_turn
+from simkit.plugins.tag_values import read_triple, read_turn, resolve_frame, tf_prefix, topic_of
 from simkit.plugins.tags import P3dParameters
 
 WORLD_FRAMES = ("world", "/world", "map", "/map")

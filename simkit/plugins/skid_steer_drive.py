@@ -8,19 +8,19 @@ from __future__ import annotations
 import dataclasses
 from typing import ClassVar
 
-from simkit.plugins.naming import resolve_frame, shown_namespace, tf_prefix, topic_of
 from simkit.plugins.odometry import (
     Covariances,
     Frames,
-    OdometryVoice,
+    OdometryPublisher,
     planar_covariance,
     world_motion,
 )
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.rate import UpdateRate
 from simkit.plugins.site import Site
+from simkit.plugins.tag_values import resolve_frame, shown_namespace, tf_prefix, topic_of
 from simkit.plugins.tags import SkidSteerDriveParameters
-from simkit.plugins.wheels import TwistEar, Wheel
+from simkit.plugins.wheels import TwistListener, Wheel
 
 
 class SkidSteerDrive(Plugin[SkidSteerDriveParameters]):
@@ -65,8 +65,8 @@ class SkidSteerDrive(Plugin[SkidSteerDriveParameters]):
         site.node.info(f"Starting {self.speaker(site)}")
         prefix = tf_prefix(site)
         covariance = planar_covariance(given.covariance_x, given.covariance_y, given.covariance_yaw)
-        self._ear = TwistEar(site, self._command_topic)
-        self._odometry = OdometryVoice(
+        self._commands = TwistListener(site, self._command_topic)
+        self._odometry = OdometryPublisher(
             site,
             self._odometry_topic,
             frames=Frames(
@@ -87,17 +87,17 @@ class SkidSteerDrive(Plugin[SkidSteerDriveParameters]):
         """If it is time, report and obey."""
         if self._rate.is_due(self.site.now_ns):
             self._odometry.say(world_motion(self.site.model), has_height=False)
-            self._drive(*self._ear.rim_speeds(self.parameters.wheel_separation))
+            self._drive(*self._commands.rim_speeds(self.parameters.wheel_separation))
 
     def on_reset(self) -> None:
         """Forget the command."""
-        self._ear.forget()
+        self._commands.forget()
         self._begin()
 
     def on_detach(self) -> None:
-        """Be silent and deaf, and let the wheels roll."""
+        """Withdraw from all topics, and let the wheels roll."""
         self._odometry.close()
-        self._ear.close()
+        self._commands.close()
         for wheel in (*self._left, *self._right):
             wheel.release()
 

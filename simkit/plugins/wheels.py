@@ -1,7 +1,4 @@
-"""What drives of wheels have in common: the command that they hear, and the motors of their wheels.
-
-Source: gazebo_ros_diff_drive and gazebo_ros_skid_steer_drive, which agree in it.
-"""
+"""Wheels with motors: commands that they follow, how quickly, and what is reported of them."""
 
 from __future__ import annotations
 
@@ -9,10 +6,14 @@ import math
 from typing import Any
 
 from simkit.errors import near_names
-from simkit.msgs import message_class
+from simkit.msgs import Time, message_class
+from simkit.physics import ModelJoint
 from simkit.plugins.errors import PluginError
+from simkit.plugins.messages import joint_state_message
+from simkit.plugins.odometry import Frames, transform_message
 from simkit.plugins.parameters import place
 from simkit.plugins.site import Site
+from simkit.plugins.tag_values import resolve_frame
 
 FASTEST = 1e5
 """No motor is asked for more [rad/s]."""
@@ -62,7 +63,7 @@ class Wheel:
         self.joint.release()
 
 
-class TwistEar:
+class TwistListener:
     """Hears how a robot shall move. The last word counts, however long ago it was said.
 
     Args:
@@ -117,3 +118,114 @@ def _no_joint(site: Site, tag: str, joint: str, speaker: str) -> str:
         f"{place(element, site)}: {speaker}: couldn't get wheel hinge joint named {joint}{hint} "
         f"<{tag}> names one of the joints of {site.model.name} that move: {', '.join(known) or 'none'}."
     )
+
+
+CLOSE = 0.01
+"""A wheel that is as near to its target as that counts as being there [m/s]."""
+
+
+class SpeedRamp:
+    """What two motors are told on the way to the speeds that are asked for.
+
+    As soon as one of the wheels is near its target, both are told theirs; so a wheel may jump, and if
+    one has nothing to change, the other one does at once.
+
+    Args:
+        limit: Acceleration of a rim [m/s^2]; none if 0.
+
+    Source:
+        gazebo_ros_diff_drive `UpdateChild`.
+    """
+
+    def __init__(self, limit: float) -> None:
+        self._limit = limit
+        self._told = (0.0, 0.0)
+
+    def next_speeds(
+        self, targets: tuple[float, float], measured: tuple[float, float], seconds: float
+    ) -> tuple[float, float]:
+        """Speeds of the rims to tell the motors now, left and right [m/s].
+
+        Args:
+            targets: What is asked for [m/s].
+            measured: What the wheels do [m/s].
+            seconds: Time since the last call [s].
+        """
+        missing = (targets[0] - measured[0], targets[1] - measured[1])
+        if self._limit == 0.0 or min(abs(missing[0]), abs(missing[1])) < CLOSE:
+            return targets  # what was told stays as it was: the next ramp goes on from there
+        most = self._limit * seconds
+        left, right = (
+            told + min(max(more, -most), most)
+            for told, more in zip(self._told, missing, strict=True)
+        )
+        self._told = (left, right)
+        return self._told
+
+    def reset(self) -> None:
+        """Forget what was told."""
+        self._told = (0.0, 0.0)
+
+
+class WheelStates:
+    """Tells on `joint_states` how far wheels have turned.
+
+    Args:
+        site: Where the plugin works.
+        *wheels: The wheels, in the order of the message.
+    """
+
+    def __init__(self, site: Site, *wheels: Wheel) -> None:
+        self._now = site.node.now
+        self._joints = [wheel.joint for wheel in wheels]
+        self._publisher = site.node.advertise(
+            site.resolve("joint_states"), message_class("sensor_msgs/JointState")
+        )
+
+    def say(self) -> None:
+        """Publish."""
+        message = joint_state_message(self._joints, self._now(), with_velocities=False)
+        self._publisher.publish(message)
+
+    def close(self) -> None:
+        """Withdraw."""
+        self._publisher.unregister()
+
+
+class WheelTransforms:
+    """Tells on /tf where wheels are.
+
+    Each is put on the link that carries it, at the place that it has in the model: as in Gazebo, that is
+    right only if that link is the root.
+
+    Args:
+        site: Where the plugin works.
+        prefix: What stands before the names of frames.
+        *wheels: The wheels, in the order of the messages.
+    """
+
+    def __init__(self, site: Site, prefix: str, *wheels: Wheel) -> None:
+        self._site = site
+        self._prefix = prefix
+        self._joints = [wheel.joint for wheel in wheels]
+        self._publisher = site.node.advertise("/tf", message_class("tf2_msgs/TFMessage"))
+
+    def say(self) -> None:
+        """Publish a message a wheel."""
+        stamp = self._site.node.now()
+        for joint in self._joints:
+            moved = self._transform(joint, stamp)
+            self._publisher.publish(self._publisher.message_class([moved]))
+
+    def close(self) -> None:
+        """Withdraw."""
+        self._publisher.unregister()
+
+    def _transform(self, joint: ModelJoint, stamp: Time) -> Any:
+        plan, model = joint.plan, self._site.model
+        frames = Frames(
+            parent=resolve_frame(plan.parent or "world", self._prefix),
+            child=resolve_frame(plan.child, self._prefix),
+        )
+        pose = model.pose.inverse() @ model.link_pose(plan.child)
+        return transform_message(pose, frames, stamp)

@@ -12,7 +12,7 @@ from simkit.geometry import roll_pitch_yaw
 from simkit.graph import LogLevel
 from simkit.msgs import message_class
 from simkit.physics import Mode
-from simkit.plugins.encoder import EncoderOdometry
+from simkit.plugins.odometry import EncoderOdometry
 from tests.simkit.plugins.samples import CAR, CASTER, driven, link, tell, wheel
 
 M2WR = Path(__file__).parents[3] / "robots/my_robot_urdf/urdf/m2wr.urdf"

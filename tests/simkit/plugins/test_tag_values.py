@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from simkit.plugins import PluginError
-from simkit.plugins.naming import resolve_frame, shown_namespace, tf_prefix, topic_of
 from simkit.plugins.site import Site
+from simkit.plugins.tag_values import resolve_frame, shown_namespace, tf_prefix, topic_of
 from simkit.xml import parse_xml
 
 
@@ -93,3 +93,23 @@ def test_the_nearest_prefix_counts(site, stage):
 )
 def test_the_namespace_is_shown_as_gazebo_ros_shows_it(site, inside, namespace, expected):
     assert shown_namespace(site(inside, namespace)) == expected
+
+
+MODEL = """<sdf version="1.6"><model name="m"><link name="base">
+  <inertial><mass>1</mass></inertial></link>
+  <plugin name="imu" filename="libgazebo_ros_imu.so">{0}<bodyName>base</bodyName><topicName>imu</topicName></plugin>
+</model></sdf>"""
+
+
+@pytest.mark.parametrize(
+    ("tag", "namespace", "topic"),
+    [
+        ("", None, "/imu"),
+        ("", "/car", "/car/imu"),
+        ("<robotNamespace>own</robotNamespace>", None, "/own/imu"),
+        ("<robotNamespace>/</robotNamespace>", "/car", "/imu"),
+    ],
+)
+def test_where_the_names_of_the_old_imu_are(stage, tag, namespace, topic):
+    stage.gazebo.spawn_sdf(MODEL.format(tag), name="m", namespace=namespace, file="m.sdf")
+    assert topic in stage.graph.topics

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from simkit.msgs import Time
-from simkit.plugins.joint_states import joint_state_message
+from simkit.plugins.messages import joint_state_message
 from tests.simkit.plugins.samples import CAR
 
 
