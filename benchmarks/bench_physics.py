@@ -1,4 +1,4 @@
-"""Physics: what a world adds to the engine's own loop, what careful steps buy, rays, detectors of collisions."""
+"""Physics: what a world adds to the engine's own loop, what second-order steps buy, rays, detectors of collisions."""
 
 import math
 import time
@@ -82,10 +82,10 @@ def cost(world: World) -> tuple[float, float]:
     The engine's own loop looks for the contacts of all shapes; ours of those that can touch something. The pace of a
     shared machine changes; within one turn it hardly does, so the ratio is that of the median turn.
     """
-    engine, touching = world._engine, world._stepper.touching
+    engine, filter_ = world._engine, world._stepper.collision_filter
 
     def bare() -> float:
-        touching._look_only(frozenset())
+        filter_._look_only(frozenset())
         return seconds(loop)
 
     def loop() -> None:
@@ -93,7 +93,7 @@ def cost(world: World) -> tuple[float, float]:
             engine.step(False)
 
     def ours() -> float:
-        touching._look_only(touching._left_out)
+        filter_._look_only(filter_._left_out)
         return seconds(lambda: world.run(STEPS * 1_000_000))
 
     pairs = [(bare(), ours()) for _ in range(ROUNDS)]
@@ -135,16 +135,16 @@ def error(arm: Model) -> float:
 
 
 def show_accuracy() -> None:
-    """What careful steps buy."""
+    """What second-order steps buy."""
     world = World()
     arm = robot(world, "arm")
-    careful = seconds(lambda: world.run(2 * SECOND))
-    show(Figure("arm after 2 s: careful steps are off by", error(arm) * 1e3, "mrad", 1.0))
+    second_order = seconds(lambda: world.run(2 * SECOND))
+    show(Figure("arm after 2 s: second-order steps are off by", error(arm) * 1e3, "mrad", 1.0))
     for divisor in (1, 8):
         took, off = plain_arm(divisor)
         name = "plain steps" if divisor == 1 else f"steps of 1/{divisor} ms"
         show(Figure(f"arm after 2 s: {name} are off by", off * 1e3, "mrad"))
-        show(Figure(f"arm after 2 s: {name} take, of careful ones", took / careful, "x"))
+        show(Figure(f"arm after 2 s: {name} take, of second-order ones", took / second_order, "x"))
 
 
 def show_laser_car() -> None:

@@ -10,9 +10,8 @@ from types import MappingProxyType
 
 from simkit.diagnostics import Severity
 from simkit.errors import SimkitError
-from simkit.gazebo.attaching import Attachments, tags_of_robot, tags_of_sdf
-from simkit.gazebo.errors import SpawnError
-from simkit.gazebo.spawned import Spawned
+from simkit.gazebo.models import Spawned, SpawnError
+from simkit.gazebo.plugin_loader import Attachments, tags_of_robot, tags_of_sdf
 from simkit.geometry import Transform
 from simkit.graph import Node
 from simkit.packages import PackagePath

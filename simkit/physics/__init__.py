@@ -27,7 +27,7 @@ from simkit.physics.plan import (
 )
 from simkit.physics.rays import MISS, Hits
 from simkit.physics.robot_plan import plan_robot
-from simkit.physics.watch import LostModelError
+from simkit.physics.stability import LostModelError
 from simkit.physics.world import ORIGIN, World
 
 __all__ = [

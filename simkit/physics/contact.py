@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from simkit.geometry import Vector
+from simkit.physics.engine import vector
 from simkit.physics.plan import ShapePlan
-from simkit.physics.poses import vector
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,32 +1,17 @@
-"""DART, the physics engine: dartpy is imported here and nowhere else, when a world is made.
-
-Which collision detector? Measured with dartpy 6.20.0, steps of 1 ms, gravity 9.8, drift over 10 s at
-rest (`benchmarks/bench_physics.py` measures two rows anew). DART offers four:
-
-| at rest on the plane z = 0 | ode | bullet | fcl | dart |
-|---|---|---|---|---|
-| box 0.2 x 0.3 x 0.1 | 0.001 mm | 1.8 mm | 0.001 mm | sinks through it |
-| cylinder, standing | 0.001 mm | 0.05 mm | 0.001 mm | 0.001 mm |
-| cylinder, lying askew | 0.000 mm | 720 mm | 0.000 mm | sinks in by 69 mm |
-| the same, 1.57 for pi/2 | 0.000 mm | 640 mm | sinks in by 69 mm | sinks in by 69 mm |
-| cylinder on a cylinder | 0.000 mm | 0.000 mm | sinks in by 10 mm | sinks in by 23 mm |
-| tower of four boxes | 0.000 mm | 0.000 mm | 0.2 mm | 1.5 mm |
-
-Only `ode` gives flat faces as many points of contact as it takes to stand on them, so it is ours.
-It casts no rays; `simkit.physics.rays` does, and faster. The ground is a plane without end.
-
-Bodies at rest are not put to sleep: DART would also freeze what moves slower than 1 cm/s.
-"""
+"""The engine, DART: its world, and poses and vectors on their way between it and us."""
 
 from __future__ import annotations
 
 import functools
+import math
 import platform
 import sys
 from typing import Any
 
-from simkit.geometry import Vector
-from simkit.physics.errors import NoEngineError
+import numpy as np
+
+from simkit.geometry import Transform, Vector
+from simkit.physics.errors import NoEngineError, PhysicsError
 
 STEP_NS = 1_000_000
 """Time of one step [ns], as Gazebo's."""
@@ -70,3 +55,36 @@ def new_engine_world(step_s: float, gravity: Vector) -> Any:
     sleep.mEnabled = False
     world.setDeactivationOptions(sleep)
     return world
+
+
+FARTHEST = 1e6
+"""Nothing is put farther from the origin of the world [m]."""
+
+
+def isometry(transform: Transform) -> Any:
+    """T_ab as the engine takes it."""
+    return dart().math.Isometry3(np.array(transform.matrix), np.array(transform.translation))
+
+
+def transform_of(isometry: Any) -> Transform:
+    """T_ab of an `Isometry3` of the engine."""
+    (a, b, c, x), (d, e, f, y), (g, h, i, z), _ = isometry.matrix().tolist()
+    return Transform.from_matrix((x, y, z), ((a, b, c), (d, e, f), (g, h, i)))
+
+
+def checked_pose(pose: Transform) -> Transform:
+    """A pose with its quaternion at unit length.
+
+    Raises:
+        PhysicsError: A number is NaN, the quaternion is zero, or it is farther than `FARTHEST`.
+    """
+    length = math.hypot(*pose.rotation)
+    if not 1e-9 < length < math.inf or not all(abs(x) <= FARTHEST for x in pose.translation):
+        raise PhysicsError(f"this is no pose: {pose.translation} with quaternion {pose.rotation}")
+    return pose.normalised()
+
+
+def vector(array: Any) -> Vector:
+    """Three numbers of the engine as a tuple."""
+    x, y, z = array.tolist()
+    return (x, y, z)

@@ -9,12 +9,12 @@ import numpy as np
 
 from simkit.errors import UnknownNameError
 from simkit.geometry import Transform, Vector
-from simkit.physics.braking import Brakes
+from simkit.physics.engine import checked_pose, isometry, transform_of, vector
 from simkit.physics.errors import PhysicsError
 from simkit.physics.joint import FARTHEST, STRONGEST, ModelJoint, Ties
 from simkit.physics.plan import JointKind, ModelPlan
-from simkit.physics.poses import checked_pose, isometry, transform_of, vector
 from simkit.physics.skeleton import Built, place_joint
+from simkit.physics.velocity_decay import VelocityDecay
 
 REST: Vector = (0.0, 0.0, 0.0)
 """No velocity."""
@@ -68,7 +68,7 @@ class Model:
         if roots:
             self._to_model = roots[0].frame.inverse()
         self._pushed = pushed
-        self.brakes = Brakes(plan, built, pushed)
+        self.velocity_decay = VelocityDecay(plan, built, pushed)
         """What takes velocity from its bodies."""
         self.placings = 0
         """How often it was put somewhere."""

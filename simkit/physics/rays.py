@@ -15,9 +15,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from simkit.physics.engine import isometry
 from simkit.physics.mesh import TriangleMesh
 from simkit.physics.plan import Plane, ShapePlan, Solid
-from simkit.physics.poses import isometry
 from simkit.physics.ray_solids import (
     Floats,
     hit_box,

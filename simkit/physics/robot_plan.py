@@ -15,8 +15,7 @@ from simkit.physics.errors import ModelError
 from simkit.physics.gazebo_tags import GazeboTags, LinkTags, read_gazebo_tags
 from simkit.physics.lumps import Branch, Lump, find_lumps, is_anchor
 from simkit.physics.plan import BodyPlan, JointKind, JointPlan, ModelPlan, Mount
-from simkit.physics.shapes import shapes_of
-from simkit.physics.solids import unit
+from simkit.physics.shapes import shapes_of, unit
 from simkit.urdf.model import Joint, JointType, Robot
 
 KINDS = {

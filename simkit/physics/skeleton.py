@@ -10,10 +10,9 @@ from typing import Any
 import numpy as np
 
 from simkit.geometry import Transform
-from simkit.physics.engine import dart
+from simkit.physics.engine import dart, isometry
 from simkit.physics.plan import BodyPlan, JointKind, JointPlan, ModelPlan, Plane, ShapePlan, Solid
-from simkit.physics.poses import isometry
-from simkit.physics.treads import contact_solid
+from simkit.physics.wheel_contact import contact_solid
 from simkit.urdf.model import Box, Cylinder, Sphere
 
 _CREATORS = {

@@ -7,14 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from simkit.physics.careful import Careful
+from simkit.physics.collision_filter import CollisionFilter
 from simkit.physics.contact import Owner
 from simkit.physics.errors import PhysicsError
 from simkit.physics.joint import ModelJoint
-from simkit.physics.lifting import FALLING, LONGEST, lift
 from simkit.physics.model import Model
-from simkit.physics.touching import Touching
-from simkit.physics.watch import LOOK_EVERY, LostModelError, Watch
+from simkit.physics.penetration import FALLING, LONGEST, lift
+from simkit.physics.second_order import SecondOrder
+from simkit.physics.stability import LOOK_EVERY, LostModelError, Watch
 
 
 class Stepper:
@@ -49,7 +49,7 @@ class Stepper:
         self.step_ns = step_ns
         self.time_ns = 0
         self.has_contacts = False
-        self.touching = Touching(engine, models, owners)
+        self.collision_filter = CollisionFilter(engine, models, owners)
         self._engine = engine
         self._down = np.zeros(3)
         self._step_s = step_ns * 1e-9
@@ -61,7 +61,7 @@ class Stepper:
         self._patience = LONGEST
         self._is_stepping = False
         self._is_touched = True
-        self.heed_gravity()
+        self.read_gravity()
 
     def touched(self) -> None:
         """Something was set from outside: it may be fast, or stick in something."""
@@ -70,7 +70,7 @@ class Stepper:
         for watch in self.watches.values():
             watch.start()
 
-    def heed_gravity(self) -> None:
+    def read_gravity(self) -> None:
         """See which way things fall."""
         gravity = self._engine.getGravity()
         self._down = gravity / max(float(np.linalg.norm(gravity)), 1e-9)
@@ -112,15 +112,15 @@ class Stepper:
             while steps > 0:
                 if self._is_touched:
                     self._is_touched = False
-                    self.touching.refresh()
+                    self.collision_filter.refresh()
                 if self._count % LOOK_EVERY == 0:
                     self._look()
                 burst = self._burst(min(steps, LOOK_EVERY - self._count % LOOK_EVERY))
                 if burst > 1:
-                    self._hurry(burst)
+                    self._engine_steps(burst)
                     self._call(self.after)
                 else:
-                    self._attend()
+                    self._one_step()
                 steps -= burst
                 if stop is not None and stop():
                     break
@@ -132,7 +132,7 @@ class Stepper:
             watch.look()
             if watch.model.falls(self._down, FALLING):
                 self._to_lift, self._patience = LOOK_EVERY + 1, LONGEST
-                watch.careful.start()
+                watch.second_order.start()
 
     def _burst(self, most: int) -> int:
         """How many of the next steps the engine can make in one go."""
@@ -158,50 +158,50 @@ class Stepper:
             if due is None or due() <= self.time_ns:
                 hook()
 
-    def _hurry(self, steps: int) -> None:
+    def _engine_steps(self, steps: int) -> None:
         """Steps that need nothing but the engine."""
-        careful = self._careful()
-        if careful:
-            self._swing(careful, steps)
+        second_order = self._second_order()
+        if second_order:
+            self._second_order_steps(second_order, steps)
         else:
             engine_step = self._engine.step
             for _ in range(steps):
                 engine_step(False)
         self._passed(steps)
 
-    def _careful(self) -> list[Careful]:
-        return [watch.careful for watch in self.watches.values() if watch.careful.is_on]
+    def _second_order(self) -> list[SecondOrder]:
+        return [watch.second_order for watch in self.watches.values() if watch.second_order.is_on]
 
-    def _swing(self, careful: list[Careful], steps: int) -> None:
-        """Steps for models some of which are stepped carefully."""
+    def _second_order_steps(self, second_order: list[SecondOrder], steps: int) -> None:
+        """Steps for models some of which are stepped in second order."""
         engine_step, step_s, count = self._engine.step, self._step_s, self._count
-        for one in careful:
+        for one in second_order:
             one.enter(count, step_s)
         end = count + steps
         while count < end:
-            burst = min(end - count, *(one.left for one in careful))
+            burst = min(end - count, *(one.left for one in second_order))
             for _ in range(burst):
                 engine_step(False)
             count += burst
-            for one in careful:
+            for one in second_order:
                 one.passed(burst)
                 if not one.left and count < end:
                     one.turn(count, step_s)
-        for one in careful:
+        for one in second_order:
             one.leave(count, step_s)
 
-    def _attend(self) -> None:
+    def _one_step(self) -> None:
         """One step, with all that belongs to it."""
         self._call(self.before)
         for joint in self.busy.values():
             joint.before_step(self._step_s)
         for watch in self.watches.values():
-            watch.model.brakes.act(self._step_s)
-        self._hurry(1)
-        self._tidy()
+            watch.model.velocity_decay.act(self._step_s)
+        self._engine_steps(1)
+        self._finish_step()
         self._call(self.after)
 
-    def _tidy(self) -> None:
+    def _finish_step(self) -> None:
         for joint in tuple(self.busy.values()):
             joint.after_step()
         if self.pushed:

@@ -12,16 +12,15 @@ from numpy.typing import ArrayLike
 from simkit.errors import UnknownNameError
 from simkit.geometry import Transform, Vector
 from simkit.physics.contact import Contact, Owner, read_contacts
-from simkit.physics.engine import GRAVITY, STEP_NS, new_engine_world
+from simkit.physics.engine import GRAVITY, STEP_NS, checked_pose, new_engine_world
 from simkit.physics.errors import ModelError, PhysicsError
 from simkit.physics.ground import ground_plan
 from simkit.physics.model import Model
 from simkit.physics.plan import ModelPlan
-from simkit.physics.poses import checked_pose
 from simkit.physics.rays import Hits, RayShapes, cast
 from simkit.physics.skeleton import build, shy_pairs
+from simkit.physics.stability import Watch
 from simkit.physics.stepper import Stepper
-from simkit.physics.watch import Watch
 
 ORIGIN = Transform((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
 """Where a model is added if nobody says where."""
@@ -106,7 +105,7 @@ class World:
         if not np.isfinite(gravity).all():
             raise PhysicsError(f"a gravity of {gravity} is no number")
         self._engine.setGravity(list(gravity))
-        self._stepper.heed_gravity()
+        self._stepper.read_gravity()
 
     def model(self, name: str) -> Model:
         """A model by name.
@@ -167,7 +166,7 @@ class World:
         bodies = model.built.bodies
         for one, other in shy_pairs(model.plan):
             self._filter().removeBodyNodePairFromBlackList(bodies[one], bodies[other])
-        self._stepper.touching.forget(model)
+        self._stepper.collision_filter.forget(model)
         self._engine.removeSkeleton(model.built.skeleton)
         for label in self._ray_shapes.pop(name).labels:
             del self._owners[label]
@@ -229,11 +228,11 @@ class World:
         if not self._stepper.has_contacts:
             return ()
         found = read_contacts(self._engine.getLastCollisionResult(), self._owners)
-        return found + self._stepper.touching.still
+        return found + self._stepper.collision_filter.still
 
     def overlaps(self) -> tuple[Contact, ...]:
         """What touches as things stand now, without a step; the forces are zero."""
-        return self._stepper.touching.all_contacts()
+        return self._stepper.collision_filter.all_contacts()
 
     def cast_rays(
         self,

@@ -69,7 +69,7 @@ class GazeboStarter:
         Raises:
             SimkitError: There is no such file, or no such model can be.
         """
-        from simkit.gazebo.spawning import read_model
+        from simkit.gazebo.models import read_model
         from simkit.geometry import Transform
 
         model = read_model(path_or_text, self._sim.packages)
@@ -84,10 +84,10 @@ class GazeboStarter:
         )
 
     def _found(self) -> Gazebo | None:
-        from simkit.gazebo.finding import gazebo_of
-
+        """The world of the newest gzserver; asking does not load the code of worlds."""
         for node in reversed(self._sim.builtins):
-            if node.alive and (found := gazebo_of(node.program)) is not None:
+            found: Gazebo | None = getattr(node.program, "gazebo", None)
+            if node.alive and found is not None:
                 return found
         return None
 

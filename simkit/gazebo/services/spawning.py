@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from simkit.gazebo.models import Spawned
 from simkit.gazebo.poses import placement_of
 from simkit.gazebo.server import Gazebo
 from simkit.gazebo.services.service import Service, model_of
-from simkit.gazebo.spawned import Spawned
 
 SPAWNED = "SpawnModel: Successfully spawned entity"
 DELETED = "DeleteModel: successfully deleted model"

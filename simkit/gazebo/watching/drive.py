@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from simkit.gazebo.spawned import Spawned
+from simkit.gazebo.models import Spawned
 from simkit.geometry import Transform, Vector
 from simkit.physics import Model, ModelJoint
 from simkit.plugins.tags import DiffDriveParameters, SkidSteerDriveParameters

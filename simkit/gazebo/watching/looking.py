@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from simkit.diagnostics import Severity
+from simkit.gazebo.models import Spawned
 from simkit.gazebo.server import Gazebo
-from simkit.gazebo.spawned import Spawned
 from simkit.gazebo.watching.motion import LOOK_S
 from simkit.gazebo.watching.registry import WATCHERS
 from simkit.gazebo.watching.watcher import Finding, Scene, Watcher

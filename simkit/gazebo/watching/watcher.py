@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from simkit.gazebo.models import Spawned
 from simkit.gazebo.server import Gazebo
-from simkit.gazebo.spawned import Spawned
 from simkit.gazebo.watching.drive import Drive, drive_of
 from simkit.gazebo.watching.motion import Motion
 

@@ -16,8 +16,7 @@ from simkit.physics.plan import (
 )
 from simkit.physics.sdf.description import SdfCollision, SdfJoint, SdfLink, SdfModel
 from simkit.physics.sdf.models import WORLD
-from simkit.physics.shapes import note_friction
-from simkit.physics.solids import PLACEHOLDER, unit, with_solid
+from simkit.physics.shapes import PLACEHOLDER, note_friction, unit, with_solid
 from simkit.urdf.inertia import Body, placed
 from simkit.urdf.model import Inertial
 

@@ -16,7 +16,7 @@ MARGIN = 0.01
 """Shapes that cannot come nearer to each other do not touch [m]."""
 
 
-class Touching:
+class CollisionFilter:
     """The search for contacts of one world.
 
     Shapes that can never touch another one are left out of it. So are two that never move, like the

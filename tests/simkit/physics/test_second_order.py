@@ -1,10 +1,10 @@
-"""Careful steps are taken where something swings, and only there."""
+"""SecondOrder steps are taken where something swings, and only there."""
 
 from __future__ import annotations
 
 import pytest
 
-from simkit.physics.careful import is_balanced
+from simkit.physics.second_order import is_balanced
 from simkit.urdf.inertia import Body
 from simkit.urdf.matrix import diagonal
 
@@ -13,7 +13,7 @@ SECOND = 1_000_000_000
 
 def is_careful(world, name: str) -> bool:
     watch = world._stepper.watches.get(name)
-    return watch is not None and watch.careful.is_on
+    return watch is not None and watch.second_order.is_on
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Careful steps: a better integration for what swings fast.
+"""Second-order steps: a better integration for what swings fast.
 
 The engine's step is the semi-implicit Euler method, as Gazebo's is: velocities with the forces at
 the beginning of the step, then positions with the new velocities. Its error is of first order in
@@ -21,10 +21,10 @@ between height and motion (`benchmarks/bench_physics.py` prints it anew):
 |---|---|---|
 | plain steps | 0.11 J | 0.52, 0.17 rad |
 | plain steps, 8 times as many | 0.014 J | 0.063, 0.021 rad |
-| careful steps | 0.0015 J | 0.00003, 0.00016 rad |
+| second-order steps | 0.0015 J | 0.00003, 0.00016 rad |
 
 What rolls, drives, stands or follows its commands does not swing, and is stepped plainly. What
-falls is stepped carefully too: then it keeps to the parabola.
+falls is stepped in second order too: then it keeps to the parabola.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ from simkit.physics.skeleton import Built
 from simkit.urdf.inertia import Body, placed
 
 BURST = 8
-"""Steps from one kick to the next, at most; `simkit.physics.watch.LOOK_EVERY` is a multiple of it."""
+"""Steps from one kick to the next, at most; `simkit.physics.stability.LOOK_EVERY` is a multiple of it."""
 TURN = 0.2
 """No coordinate moves further in a burst [rad or m], if it is of more than one step."""
 STIFF = 0.03
@@ -55,7 +55,7 @@ TUMBLE = 3.0
 """A free body that turns faster tumbles [rad/s]."""
 
 
-class Careful:
+class SecondOrder:
     """The careful steps of one model.
 
     Args:

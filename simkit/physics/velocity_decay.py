@@ -1,4 +1,4 @@
-"""Braking: what takes a share of velocity from bodies by itself, whatever they do."""
+"""Velocity decay: a share of their velocity that bodies lose by themselves, whatever they do."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ DECAY_STEP_S = 1e-3
 """The step that a decay is a share of [s]."""
 
 
-class Brakes:
-    """Brakes the bodies of one model that lose velocity by themselves.
+class VelocityDecay:
+    """The bodies of one model that lose velocity by themselves.
 
     Args:
         plan: The model.

@@ -1,13 +1,50 @@
-"""Models for the world, from a file or a text."""
+"""Models for the world: texts that are read, the model that comes of one, and why one does not come in."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from simkit.errors import SimkitError
 from simkit.packages import PackagePath
+from simkit.physics import Model
+from simkit.physics.sdf import SdfModel
+from simkit.plugins import Plugin
+from simkit.urdf import Robot
 from simkit.xml import Element, parse_xml
+
+
+class SpawnError(SimkitError):
+    """A model that does not come into the world: why, and what would be right.
+
+    Args:
+        status: What Gazebo's service says of it.
+        more: What else there is to say.
+    """
+
+    def __init__(self, status: str, more: str = "") -> None:
+        super().__init__(f"{status} {more}".strip())
+        self.status = status
+        self.more = more
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Spawned:
+    """One model."""
+
+    name: str
+    """Its name in the world."""
+    model: Model
+    """Its bodies and joints."""
+    robot: Robot | None = None
+    """The URDF that it was spawned from."""
+    sdf: SdfModel | None = None
+    """The SDF that it was spawned from, if it was no URDF."""
+    plugins: tuple[Plugin[Any], ...] = ()
+    """What works on it, in the order of the tags."""
+    namespace: str | None = None
+    """Namespace of the one who spawned it; None for a model of the world file."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from simkit.physics.touching import Touching
+from simkit.physics.collision_filter import CollisionFilter
 
 SECOND = 1_000_000_000
 
@@ -32,7 +32,7 @@ def test_nothing_else_changes(new_world, robot_plan, at, monkeypatch):
     states = []
     for patched in (False, True):
         if patched:
-            monkeypatch.setattr(Touching, "_idle", lambda self: frozenset())
+            monkeypatch.setattr(CollisionFilter, "_idle", lambda self: frozenset())
         world = new_world()
         arm = world.add(robot_plan("arm"), pose=at(x=0.3))
         world.run(SECOND)
@@ -95,7 +95,7 @@ def test_moving_joints_from_outside_lets_nobody_look_again_who_can_touch_whom(
     world = new_world()
     arm = world.add(robot_plan("arm"))
     world.step()
-    monkeypatch.setattr(Touching, "_idle", lambda self: pytest.fail("looked again"))
+    monkeypatch.setattr(CollisionFilter, "_idle", lambda self: pytest.fail("looked again"))
     arm.set_joint_positions({"shoulder": 0.5})
     world.step()
     assert searched(world) == 0

@@ -1,4 +1,4 @@
-"""Lifting: what is put into something else comes out of it.
+"""Penetration: what is put into something else comes out of it.
 
 The engine pushes bodies that reach into each other apart at 1 mm/s: a robot that is spawned with its
 wheels 10 cm below the ground would take 100 s to come up. Gazebo shoots it out within a few steps.
