@@ -56,7 +56,7 @@ TUMBLE = 3.0
 
 
 class SecondOrder:
-    """The careful steps of one model.
+    """The second-order steps of one model.
 
     Args:
         plan: What it is.
@@ -95,7 +95,7 @@ class SecondOrder:
 
     @staticmethod
     def _thresholds(plan: ModelPlan, built: Built) -> list[float]:
-        """The speed of each coordinate above which steps are careful [rad/s or m/s]."""
+        """The speed of each coordinate above which steps are of second order [rad/s or m/s]."""
         found = [math.inf] * built.skeleton.getNumDofs()
         for name, joint in plan.joints.items():
             engine_joint = built.joints[name]
@@ -110,11 +110,11 @@ class SecondOrder:
 
     @property
     def is_on(self) -> bool:
-        """Whether the next step is careful."""
+        """Whether the next step is of second order."""
         return self._can_swing and self._swings and not self._led
 
     def start(self) -> None:
-        """Be careful from now on, until it has been slow for a while: it may begin to swing."""
+        """Make second-order steps from now on, until it has been slow for a while: it may begin to swing."""
         self._swings, self._grace = True, GRACE
 
     def look(self, velocities: Sequence[float]) -> None:
