@@ -1,19 +1,38 @@
-"""Public robots of simple shapes, from the data that PyBullet's package brings: each spawns, or is refused with a reason.
+"""How long the first robot of a launch file takes from a cold start; and which public robots spawn.
 
+Public robots of simple shapes, from the data that PyBullet's package brings: each spawns, or is refused with a reason.
 Each one gets a process of its own, so that a crash of the engine would be seen.
 """
 
 import importlib.util
 import multiprocessing
+import subprocess
+import sys
 from multiprocessing.connection import Connection
 from pathlib import Path
 
-from figures import Figure, show
+from figures import Figure, median_of, show
 
 from simkit import SimkitError, Simulation
 from simkit.graph import LogLevel
 
 PATIENCE = 120.0  # [s] of the wall, for one robot
+ROOT = Path(__file__).parents[1]
+RUNS = 7
+MODULES_TARGET = 300.0
+COLD = """
+import sys, time
+start = time.process_time()
+import numpy, dartpy
+libraries = time.process_time()
+import simkit
+sim = simkit.Simulation(package_path=["robots"], screen=None)
+sim.roslaunch("my_robot_urdf", "spawn_urdf.launch")
+while len(sim.gazebo.spawned) < 2:
+    sim.run(0.05)
+own = sum(name.startswith("simkit") for name in sys.modules)
+print(time.process_time() - start, libraries - start, own)
+"""  # a process that spawns a robot by its launch file, headless: seconds of the processor, and modules
 
 
 def robots() -> list[Path]:
@@ -55,8 +74,25 @@ def outcome(file: Path) -> tuple[str, str]:
     return told[0], told[1]
 
 
+def show_cold_start() -> None:
+    """Print how long the first robot takes, the libraries apart."""
+    runs = []
+    for _ in range(RUNS):
+        done = subprocess.run(
+            [sys.executable, "-c", COLD], cwd=ROOT, check=True, capture_output=True, text=True
+        )
+        runs.append([float(number) for number in done.stdout.split()])
+    whole, libraries, modules = (median_of(list(column)) for column in zip(*runs, strict=True))
+    show(
+        Figure("cold: a robot spawned by its launch file, headless", whole * 1e3, "ms"),
+        Figure("... of it to import numpy and dartpy", libraries * 1e3, "ms"),
+        Figure("... modules of simkit loaded", modules, "", MODULES_TARGET),
+    )
+
+
 def main() -> None:
     """Print what became of each, and the figures."""
+    show_cold_start()
     files = robots()
     if not files:
         print("pybullet_data is not installed here (make bench installs it): nothing to spawn")
