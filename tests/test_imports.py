@@ -157,7 +157,7 @@ CLOCKS_AND_CHANCE = {
     "time": {
         "simkit.graph.process.link": "ends a script that is stuck",
         "simkit.graph.process.spawn_starter": "gives up on an interpreter that does not start",
-        "simkit.graph.process.zygote": "waits for a process that was killed",
+        "simkit.graph.process.process_tree": "waits for a process that was killed",
         "simkit.graph.process.virtual_time": "replaces it in node processes",
         "simkit.live.host": "keeps a live simulation in step with the wall",
         "simkit.live.keyboard": "looks at the keyboard now and then",
@@ -167,7 +167,6 @@ CLOCKS_AND_CHANCE = {
         "simkit.cli": "keeps it in step too",
         "simkit.commands.doctor": "measures how long a node takes to start",
         "grader.run.supervise": "ends a checker that is stuck",
-        "grader.run.family": "waits for a process that was killed",
     },
     "datetime": {"simkit.graph.process.virtual_time": "replaces it in node processes"},
     "random": {

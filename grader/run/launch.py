@@ -1,6 +1,6 @@
-"""Start checker processes: forked from a warm parent, or, where there is no fork, a fresh Python.
+"""Start checker processes: forked from a fork server, or, where there is no fork, a fresh Python.
 
-The warm parent imports pytest and simkit once; a checker then starts in a few milliseconds. It is
+The fork server imports pytest and simkit once; a checker then starts in a few milliseconds. It is
 ours, not multiprocessing's, since that would import the caller's own script in every checker, and
 a student may call `check` from one.
 """
@@ -15,7 +15,6 @@ import os
 import signal
 import socket
 import subprocess
-import sys
 import tempfile
 import threading
 from collections.abc import Callable
@@ -24,11 +23,16 @@ from typing import Protocol
 
 from grader.errors import GraderError
 from grader.run.supervise import Checker
+from simkit.graph.process import (
+    HAS_FORK,
+    ForkServer,
+    StartError,
+    clean_environment,
+    python_command,
+)
 
 LENGTH_BYTES = 8
 """A job travels as its length, big-endian, and its bytes."""
-HAS_FORK = hasattr(os, "fork") and hasattr(socket, "send_fds") and sys.platform != "darwin"
-"""macOS can fork, but its system libraries do not survive it."""
 _END_SECONDS = 10.0
 
 
@@ -65,39 +69,25 @@ def read_framed(read: Callable[[int], bytes]) -> bytes | None:
     return bytes(data[LENGTH_BYTES:])
 
 
-def clean_environment() -> dict[str, str]:
+def checker_environment() -> dict[str, str]:
     """The environment of checkers: the same on every machine, and nothing of the caller's."""
-    environment = {
-        "PATH": "/usr/local/bin:/usr/bin:/bin",
+    extra = {
         "HOME": tempfile.gettempdir(),
-        "LANG": "C.UTF-8",
-        "TZ": "UTC",
-        "PYTHONHASHSEED": "0",
-        "PYTHONDONTWRITEBYTECODE": "1",
         "PYTHONUTF8": "1",
         "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
-        "OPENBLAS_NUM_THREADS": "1",
-        "OMP_NUM_THREADS": "1",
-        "MPLBACKEND": "Agg",
         "MPLCONFIGDIR": tempfile.gettempdir(),
     }
-    for name in ("SYSTEMROOT", "TEMP", "TMP", "TMPDIR"):
-        if name in os.environ:
-            environment[name] = os.environ[name]
-    return environment
-
-
-def _python(module: str, *arguments: str) -> list[str]:
-    return [sys.executable, "-s", "-P", "-m", module, *arguments]
+    if "TMPDIR" in os.environ:
+        extra["TMPDIR"] = os.environ["TMPDIR"]
+    return clean_environment(extra)
 
 
 class WarmLauncher:
-    """Forks checkers from one warm parent, started when first needed, replaced if it dies."""
+    """Forks checkers from one fork server, started when first needed, replaced if it dies."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._process: subprocess.Popen[bytes] | None = None
-        self._control: socket.socket | None = None
+        self._server: ForkServer | None = None
         self._running: set[_ForkedChecker] = set()
         self._closed = False
 
@@ -105,7 +95,7 @@ class WarmLauncher:
         """Fork a checker.
 
         Raises:
-            GraderError: No warm parent can be started.
+            GraderError: No fork server can be started.
         """
         lifeline, theirs = socket.socketpair()
         results, results_theirs = os.pipe()
@@ -129,8 +119,13 @@ class WarmLauncher:
         self._running.add(checker)
         return checker
 
+    @property
+    def server_pid(self) -> int | None:
+        """Process id of the fork server; None before the first job."""
+        return self._server.pid if self._server is not None else None
+
     def close(self) -> None:
-        """End the warm parent and every checker that came from it; nothing starts afterwards."""
+        """End the fork server and every checker that came from it; nothing starts afterwards."""
         with self._lock:
             self._closed = True
             for checker in list(self._running):
@@ -142,42 +137,29 @@ class WarmLauncher:
             if self._closed:
                 raise GraderError("grading was stopped")
             for attempt in (1, 2):
-                if (
-                    self._control is None
-                    or self._process is None
-                    or self._process.poll() is not None
-                ):
-                    self._stop()
-                    self._launch()
-                assert self._control is not None
                 try:
-                    socket.send_fds(self._control, [b"j"], fds)
+                    self._living_server().send(b"j", fds)
                     return
-                except OSError as error:
+                except StartError as error:
                     self._stop()
                     if attempt == 2:
                         raise GraderError(f"no checker process can be started: {error}") from error
 
-    def _launch(self) -> None:
-        self._control, theirs = socket.socketpair()
-        with theirs:
-            self._process = subprocess.Popen(
-                _python("grader.run.warm", str(theirs.fileno())),
-                stdin=subprocess.DEVNULL,
-                env=clean_environment(),
-                pass_fds=[theirs.fileno()],
-                start_new_session=True,
+    def _living_server(self) -> ForkServer:
+        if self._server is None or not self._server.alive:
+            self._stop()
+            self._server = ForkServer(
+                "grader.run.warm",
+                environment=checker_environment(),
+                purpose="checkers",
+                stderr=None,
             )
+        return self._server
 
     def _stop(self) -> None:
-        if self._control is not None:
-            self._control.close()
-        if self._process is not None:
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                self._process.wait(timeout=_END_SECONDS)
-            self._process.kill()
-            self._process.wait()
-        self._control = self._process = None
+        if self._server is not None:
+            self._server.close()
+        self._server = None
 
 
 class _ForkedChecker:
@@ -219,11 +201,11 @@ class SpawnLauncher:
     def start(self, job: bytes) -> Checker:
         """Start a checker."""
         process = subprocess.Popen(
-            _python("grader.run.checker"),
+            python_command("grader.run.checker"),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
-            env=clean_environment(),
+            env=checker_environment(),
             start_new_session=True,
         )
         checker = _SpawnedChecker(process, self._running.discard)

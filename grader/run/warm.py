@@ -1,10 +1,10 @@
-"""The warm parent of checkers: imports once, then forks a guard for each job, and the guard a checker.
+"""The fork server of checkers: imports once, then forks a guard for each job, and the guard a checker.
 
 The guard holds the lifeline to the runner. When the checker ends, or the lifeline closes (its time
 is over, or the runner is gone, whatever the reason), the guard kills every process that came from
 the checker, also those that detached themselves, and tells how the checker ended.
 
-While the first jobs run, the parent imports what checkers import late, a module at a time: the first
+While the first jobs run, the server imports what checkers import late, a module at a time: the first
 job need not wait for it, and the later ones find it done.
 
 Run as `python -m grader.run.warm FD`.
@@ -13,8 +13,6 @@ Run as `python -m grader.run.warm FD`.
 from __future__ import annotations
 
 import contextlib
-import ctypes
-import gc
 import importlib
 import json
 import os
@@ -23,11 +21,17 @@ import shutil
 import signal
 import socket
 import sys
-from collections.abc import Callable
 
 from grader.run.checker import work
-from grader.run.family import end_family
 from grader.run.launch import read_framed
+from simkit.graph.process import (
+    become_reaper,
+    each_request,
+    end_tree,
+    end_with_parent,
+    fork_task,
+    share_memory,
+)
 
 LATE = (
     "simkit.launch.launch",
@@ -45,8 +49,6 @@ LATE = (
     "simkit.plugins.laser",
 )
 """What the checks of one exercise or another import when they need it."""
-_PR_SET_PDEATHSIG = 1
-_PR_SET_CHILD_SUBREAPER = 36
 
 
 def main() -> None:
@@ -55,14 +57,9 @@ def main() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the runner, which then closes us
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # guards leave no zombies
     late = list(LATE)
-    _share_memory()
-    while True:
-        message, fds, _, _ = socket.recv_fds(control, 1, 3)
-        if not message:
-            return
-        if os.fork() == 0:
-            control.close()
-            _in_child(_guard_of, fds)
+    share_memory()
+    for _, fds in each_request(control):
+        fork_task(_guard_of, control, fds)
         for fd in fds:
             os.close(fd)
         _import_while_idle(late, control)
@@ -76,16 +73,11 @@ def _import_while_idle(late: list[str], control: socket.socket) -> None:
         with contextlib.suppress(ImportError):
             importlib.import_module(late.pop(0))
     if not late:
-        _share_memory()
+        share_memory()
 
 
-def _share_memory() -> None:
-    """Let checkers share the pages that are there, instead of copying them at the first collection."""
-    gc.collect()
-    gc.freeze()
-
-
-def _guard_of(fds: list[int]) -> None:
+def _guard_of(control: socket.socket, fds: list[int]) -> None:
+    control.close()
     for fd in fds:
         os.set_inheritable(fd, False)
     guard(socket.socket(fileno=fds[0]), fds[1], fds[2])
@@ -101,48 +93,29 @@ def guard(lifeline: socket.socket, results: int, output: int) -> None:
     """
     os.setsid()  # away from the terminal's signals; no node inherits a file descriptor of ours
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-    _prctl(_PR_SET_CHILD_SUBREAPER, 1)
+    become_reaper()
     job = read_framed(lifeline.recv)
     if job is None:
         return
     ended, alive = os.pipe()  # the checker keeps `alive` open for as long as it lives
-    checker = os.fork()
-    if checker == 0:
-        lifeline.close()
-        _in_child(_become_checker, job, results, output)
+    checker = fork_task(_become_checker, lifeline, job, results, output)
     for fd in (results, output, alive):
         os.close(fd)
     select.select([lifeline.fileno(), ended], [], [])
-    exit_code = end_family(checker)
+    exit_code = end_tree(checker)
     shutil.rmtree(json.loads(job)["folder"], ignore_errors=True)  # the runner may be gone
     with contextlib.suppress(OSError):
         lifeline.sendall(json.dumps({"exit_code": exit_code}).encode())
 
 
-def _become_checker(job: bytes, results: int, output: int) -> None:
-    _prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+def _become_checker(lifeline: socket.socket, job: bytes, results: int, output: int) -> None:
+    lifeline.close()
+    end_with_parent()
     os.setsid()
     nothing = os.open(os.devnull, os.O_RDONLY)
     for source, target in ((nothing, 0), (output, 1), (output, 2)):
         os.dup2(source, target)
     work(job, results)
-
-
-def _prctl(option: int, value: int) -> None:
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(option, value, 0, 0, 0)
-
-
-def _in_child(task: Callable[..., None], *arguments: object) -> None:
-    """Run a task as the rest of this process's life."""
-    code = 70
-    try:
-        task(*arguments)
-        code = 0
-    except BaseException as error:
-        os.write(2, f"{type(error).__name__}: {error}\n".encode("utf-8", "replace"))
-    finally:
-        os._exit(code)
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ from pathlib import Path
 from simkit import __version__
 from simkit.commands.command import Answer, parsed
 from simkit.errors import SimkitError
-from simkit.graph.process.start import HAS_FORK
+from simkit.graph.process import HAS_FORK
 
 DISTRIBUTION = "simkit-workbook"
 TRIAL_SECONDS = 10.0

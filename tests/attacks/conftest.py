@@ -13,9 +13,9 @@ import pytest
 from grader.exercises import get_exercise
 from grader.results import ExerciseResult
 from grader.run import TimeLimits, WarmLauncher, grade_submission
-from grader.run.family import descendants
 from grader.sandbox import Sandbox, find_sandbox
 from grader.submission import Submission
+from simkit.graph.process import descendants
 
 SCRIPT = "hello_ros/scripts/broadcaster.py"
 SECRET = "hidden-secret-4711"
@@ -107,7 +107,7 @@ class Arena:
             limits=LIMITS,
         )
         seconds = time.monotonic() - begin
-        await_end_of_all(self.launcher._process.pid)
+        await_end_of_all(self.launcher.server_pid)
         return Attacked(result, seconds)
 
     def honest(self):

@@ -162,7 +162,7 @@ def test_the_same_is_seen_whoever_runs_the_checks(arena):
 @pytest.mark.slow
 def test_the_checker_does_not_show_its_job_on_its_command_line(arena):
     arena.honest()
-    pid = arena.launcher._process.pid
+    pid = arena.launcher.server_pid
     text = subprocess.run(["ps", "-o", "args=", "-p", str(pid)], capture_output=True, text=True)
     assert "hidden" not in text.stdout
     assert os.environ.get("SECRET_TOKEN") is None

@@ -1,4 +1,8 @@
-"""Node side: the life of a node process, from its start specification to its exit."""
+"""Node side: the life of a node process, from its start specification to its exit.
+
+A fork server calls `run_node`. Where there is none, a fresh interpreter runs `python -m simkit.graph.process.child PORT`,
+with a token and the start specification on standard input: it connects back, and proves itself by the token.
+"""
 
 from __future__ import annotations
 
@@ -119,3 +123,19 @@ def _run_exit_hooks() -> None:
 
     with contextlib.suppress(BaseException):
         atexit._run_exitfuncs()
+
+
+def main() -> None:
+    """Entry point of a fresh interpreter: the argument is the port on the loopback interface."""
+    token, _, spec = sys.stdin.buffer.read().partition(b"\n")
+    connection = socket.create_connection(("127.0.0.1", int(sys.argv[1])))
+    connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    connection.sendall(token)
+    null = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(null, 0)
+    sys.stdin = os.fdopen(0, encoding="utf-8", closefd=False)
+    run_node(StartSpec.from_bytes(spec), connection, None)
+
+
+if __name__ == "__main__":
+    main()

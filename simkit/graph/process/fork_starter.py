@@ -1,63 +1,42 @@
-"""Node processes forked from a warm parent: a few milliseconds each. For Linux."""
+"""Node processes forked from a fork server (`zygote`): a few milliseconds each. For Linux."""
 
 from __future__ import annotations
 
 import contextlib
 import json
 import os
-import signal
 import socket
-import subprocess
+import sys
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
-from simkit.graph.process.readiness import readable
+from simkit.graph.process.fork_server import ForkServer, StartError, clean_environment
+from simkit.graph.process.process_tree import Usage
 from simkit.graph.process.spec import StartSpec
-from simkit.graph.process.starter import (
-    START_TIMEOUT,
-    StartedProcess,
-    Starter,
-    StartError,
-    clean_environment,
-    python_command,
-)
-from simkit.graph.process.usage import Usage
+from simkit.graph.process.starter import StartedProcess, Starter
+
+SIMKIT = str(Path(__file__).resolve().parents[2])
+"""Folder of this copy of simkit; that of the nodes is the one that is installed."""
 
 
 class ForkStarter(Starter):
-    """Forks nodes from a warm parent (`zygote`), which may live behind a command prefix such as bubblewrap."""
+    """Forks nodes from a fork server, which may live behind a command prefix such as bubblewrap."""
 
     def __init__(self, command_prefix: Sequence[str], environment: Mapping[str, str]) -> None:
-        ours, theirs = socket.socketpair()
-        with theirs:
-            os.set_inheritable(theirs.fileno(), True)
-            command = [
-                *command_prefix,
-                *python_command("simkit.graph.process.zygote", str(theirs.fileno())),
-            ]
-            try:
-                self._process = subprocess.Popen(
-                    command,
-                    stdin=subprocess.DEVNULL,
-                    stdout=subprocess.DEVNULL,
-                    stderr=subprocess.PIPE,
-                    env=clean_environment(environment),
-                    pass_fds=[theirs.fileno()],
-                    start_new_session=True,
-                )
-            except OSError as error:
-                ours.close()
-                raise StartError(f"cannot start {command[0]}: {error.strerror}") from error
-        self._control = ours
-        self._control.settimeout(START_TIMEOUT)
+        self._server = ForkServer(
+            "simkit.graph.process.zygote",
+            environment=clean_environment(environment),
+            command_prefix=command_prefix,
+            purpose="node processes",
+        )
         self._ready = False
-        self._pending = b""
 
     def start(self, spec: StartSpec) -> StartedProcess:
         """Fork a node.
 
         Raises:
-            StartError: The warm parent is gone or refuses.
+            StartError: The fork server is gone or refuses.
         """
         self._wait_until_ready()
         connection, theirs = socket.socketpair()
@@ -78,80 +57,54 @@ class ForkStarter(Starter):
         return StartedProcess(connection, output, trace, answer["pid"], self)
 
     def signal(self, pid: int, number: int) -> None:
-        """Through the warm parent, which alone knows the process by that id."""
+        """Through the fork server, which alone knows the process by that id."""
         with contextlib.suppress(StartError):
             self._request({"do": "signal", "pid": pid, "signal": int(number)})
 
     def usage(self, pid: int) -> Usage | None:
-        """Through the warm parent."""
+        """Through the fork server."""
         try:
-            told = self._request({"do": "usage", "pid": pid})["usage"]
+            usage = self._request({"do": "usage", "pid": pid})["usage"]
         except StartError:
             return None
-        return None if told is None else Usage(**told)
+        return None if usage is None else Usage(**usage)
 
     def end(self, pid: int, *, kill: bool) -> int | None:
-        """Through the warm parent."""
+        """Through the fork server."""
         try:
-            status = self._request({"do": "end", "pid": pid, "kill": kill})["status"]
+            code: int | None = self._request({"do": "end", "pid": pid, "kill": kill})["code"]
         except StartError:
             return None
-        return None if status is None else os.waitstatus_to_exitcode(status)
+        return code
 
     def close(self) -> None:
-        """Close the control socket, at which the warm parent kills all nodes and exits."""
-        self._control.close()
-        try:
-            self._process.wait(timeout=10)
-        except subprocess.TimeoutExpired:
-            self._kill()
-        if self._process.stderr is not None:
-            self._process.stderr.close()
+        """Close the socket of the fork server, at which it kills all nodes and exits."""
+        self._server.close()
 
     @property
     def alive(self) -> bool:
-        """Whether the warm parent runs."""
-        return self._process.poll() is None
+        """Whether the fork server runs."""
+        return self._server.alive
 
-    def _kill(self) -> None:
-        with contextlib.suppress(ProcessLookupError):
-            os.killpg(self._process.pid, signal.SIGKILL)
-        self._process.wait()
+    @property
+    def server_pid(self) -> int:
+        """Process id of the fork server."""
+        return self._server.pid
 
     def _wait_until_ready(self) -> None:
-        if not self._ready:
-            self._read_answer()
-            self._ready = True
+        if self._ready:
+            return
+        theirs = json.loads(self._server.read_line())["simkit"]
+        if theirs != SIMKIT:
+            raise StartError(
+                f"a node would run the simkit of {theirs}, this simulation that of {SIMKIT}: {sys.executable} "
+                "has another copy installed. Run `make` here, and use this copy's own .venv"
+            )
+        self._ready = True
 
     def _request(self, request: dict[str, Any], fds: Sequence[int] = ()) -> dict[str, Any]:
-        try:
-            socket.send_fds(self._control, [json.dumps(request).encode()], list(fds))
-        except OSError as error:
-            raise StartError(self._epitaph()) from error
-        return self._read_answer()
-
-    def _read_answer(self) -> dict[str, Any]:
-        while b"\n" not in self._pending:
-            try:
-                data = self._control.recv(65536)
-            except OSError as error:
-                raise StartError(self._epitaph()) from error
-            if not data:
-                raise StartError(self._epitaph())
-            self._pending += data
-        line, _, self._pending = self._pending.partition(b"\n")
-        answer: dict[str, Any] = json.loads(line)
+        self._server.send(json.dumps(request).encode(), fds)
+        answer: dict[str, Any] = json.loads(self._server.read_line())
         if "error" in answer:
             raise StartError(answer["error"])
         return answer
-
-    def _epitaph(self) -> str:
-        """Why the warm parent is gone, from what it said last."""
-        self._kill()
-        said = ""
-        if self._process.stderr is not None and not self._process.stderr.closed:
-            fd = self._process.stderr.fileno()
-            if readable([fd], 0.5):
-                said = os.read(fd, 4000).decode(errors="replace")
-        last = said.strip().splitlines()[-1:] or ["no word"]
-        return f"the parent of the node processes has died (exit code {self._process.returncode}): {last[0]}"

@@ -9,8 +9,8 @@ import socket
 import time
 
 from simkit.graph.process import protocol
-from simkit.graph.process.readiness import Source, readable
-from simkit.graph.process.start import StartedProcess
+from simkit.graph.process.fork_server import Source, readable
+from simkit.graph.process.starter import StartedProcess
 
 _FRAME_LINE = re.compile(
     r'^  File "(?P<file>[^"]+)", line (?P<line>[0-9]{1,9})(?: in (?P<function>.+))?$'

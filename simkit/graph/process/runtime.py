@@ -1,4 +1,4 @@
-"""Where node processes come from: one warm parent, its sandbox and its limits."""
+"""Where node processes come from: one fork server (or fresh interpreters), its sandbox and its limits."""
 
 from __future__ import annotations
 
@@ -8,9 +8,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from simkit.graph.process.fork_server import HAS_FORK, StartError
+from simkit.graph.process.fork_starter import ForkStarter
 from simkit.graph.process.limits import NodeLimits
+from simkit.graph.process.spawn_starter import SpawnStarter
 from simkit.graph.process.spec import StartSpec
-from simkit.graph.process.start import StartedProcess, Starter, StartError, default_starter
+from simkit.graph.process.starter import StartedProcess, Starter
 
 
 class NodeRuntime:
@@ -45,12 +48,12 @@ class NodeRuntime:
         _open_runtimes.add(self)
 
     def warm_up(self) -> None:
-        """Start the warm parent now; the first node then need not wait for it."""
+        """Start the fork server now; the first node then need not wait for it."""
         if self._starter is None:
             self._starter = default_starter(self._prefix, self._environment, self._method)
 
     def start(self, spec: StartSpec) -> StartedProcess:
-        """Start a node process; a warm parent that has died is replaced once.
+        """Start a node process; a fork server that has died is replaced once.
 
         Raises:
             StartError: No process can be started.
@@ -75,6 +78,15 @@ class NodeRuntime:
         if self._starter is not None:
             self._starter.close()
             self._starter = None
+
+
+def default_starter(
+    command_prefix: Sequence[str], environment: Mapping[str, str], method: str | None = None
+) -> Starter:
+    """The quickest starter that works here: `fork` on Linux, `spawn` elsewhere, or the one asked for."""
+    method = method or ("fork" if HAS_FORK else "spawn")
+    kind = {"fork": ForkStarter, "spawn": SpawnStarter}[method]
+    return kind(command_prefix, environment)
 
 
 _open_runtimes: weakref.WeakSet[NodeRuntime] = weakref.WeakSet()

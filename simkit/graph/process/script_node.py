@@ -15,6 +15,7 @@ from simkit.graph.names import CommandLine, join, resolve
 from simkit.graph.process import failure as failures
 from simkit.graph.process import protocol
 from simkit.graph.process.failure import NodeFailure
+from simkit.graph.process.fork_server import StartError
 from simkit.graph.process.link import Ended, Flooded, NodeLink, Stuck
 from simkit.graph.process.permissions import Permissions
 from simkit.graph.process.printout import Printout
@@ -22,7 +23,7 @@ from simkit.graph.process.protocol import Op, Outbox, ProtocolError
 from simkit.graph.process.requests import Requests
 from simkit.graph.process.runtime import NodeRuntime
 from simkit.graph.process.spec import StartSpec
-from simkit.graph.process.start import StartedProcess, StartError
+from simkit.graph.process.starter import StartedProcess
 from simkit.graph.process.turns import Turns
 from simkit.graph.services import ServiceServer
 from simkit.graph.topics import Publisher, Subscription

@@ -11,16 +11,15 @@ import threading
 import time
 from collections.abc import Mapping, Sequence
 
-from simkit.graph.process.spec import StartSpec
-from simkit.graph.process.starter import (
+from simkit.graph.process.fork_server import (
     START_TIMEOUT,
-    StartedProcess,
-    Starter,
     StartError,
     clean_environment,
     python_command,
 )
-from simkit.graph.process.usage import Usage, usage_of
+from simkit.graph.process.process_tree import Usage, usage_of
+from simkit.graph.process.spec import StartSpec
+from simkit.graph.process.starter import StartedProcess, Starter
 
 _LOOK = 0.2
 """How often to look whether a process that was started still lives [s]."""
@@ -61,7 +60,7 @@ class SpawnStarter(Starter):
         return StartedProcess(connection, output, None, process.pid, self)
 
     def _launch(self, port: int) -> subprocess.Popen[bytes]:
-        command = [*self._prefix, *python_command("simkit.graph.process.spawned", str(port))]
+        command = [*self._prefix, *python_command("simkit.graph.process.child", str(port))]
         try:
             return subprocess.Popen(
                 command,

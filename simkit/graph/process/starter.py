@@ -2,24 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import signal
 import socket
-import sys
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
 from dataclasses import dataclass
 
-from simkit.errors import SimkitError
+from simkit.graph.process.process_tree import Usage
 from simkit.graph.process.spec import StartSpec
-from simkit.graph.process.usage import Usage
-
-START_TIMEOUT = 30.0
-"""Wall time within which a started process must answer [s]."""
-
-
-class StartError(SimkitError):
-    """A node process, or the warm parent of node processes, cannot be started."""
 
 
 @dataclass(slots=True)
@@ -73,28 +62,3 @@ class Starter(ABC):
     @abstractmethod
     def close(self) -> None:
         """End everything that was started."""
-
-
-def clean_environment(extra: Mapping[str, str]) -> dict[str, str]:
-    """The environment of node processes: the same on every machine, and no secret in it."""
-    environment = {
-        "PATH": "/usr/local/bin:/usr/bin:/bin",
-        "LANG": "C.UTF-8",
-        "TZ": "UTC",
-        "PYTHONHASHSEED": "0",
-        "PYTHONDONTWRITEBYTECODE": "1",
-        "PYTHONIOENCODING": "utf-8",
-        "OPENBLAS_NUM_THREADS": "1",
-        "OMP_NUM_THREADS": "1",
-        "MPLBACKEND": "Agg",
-    }
-    for name in ("SYSTEMROOT", "TEMP", "TMP"):  # Windows cannot start Python without the first
-        if name in os.environ:
-            environment[name] = os.environ[name]
-    environment.update(extra)
-    return environment
-
-
-def python_command(module: str, *arguments: str) -> list[str]:
-    """Command line that runs a module of ours in a fresh interpreter of this installation."""
-    return [sys.executable, "-s", "-P", "-m", module, *arguments]

@@ -1,5 +1,7 @@
 """What becomes of a run whose checks loop, crash, or print; and that nothing is left of it."""
 
+import os
+import signal
 import time
 from pathlib import Path
 
@@ -118,13 +120,13 @@ def test_a_process_that_detached_itself_is_found(run_checks, tmp_path):
     assert not is_alive(told.read_text())
 
 
-def test_a_warm_parent_that_dies_is_replaced(workbook):
+def test_a_fork_server_that_dies_is_replaced(workbook):
     launcher = WarmLauncher()
     try:
         submission = workbook.submission(fixed_frame="world")
         first = workbook.grade(submission, launcher=launcher)
-        launcher._process.kill()
-        launcher._process.wait()
+        os.kill(launcher.server_pid, signal.SIGKILL)
+        os.waitid(os.P_PID, launcher.server_pid, os.WEXITED | os.WNOWAIT)
         assert workbook.grade(submission, launcher=launcher) == first
     finally:
         launcher.close()

@@ -16,9 +16,9 @@ from simkit.graph.process.link import (
     Stuck,
     most_telling_stack,
 )
+from simkit.graph.process.process_tree import Usage
 from simkit.graph.process.protocol import Op, Outbox, ProtocolError
-from simkit.graph.process.start import StartedProcess
-from simkit.graph.process.usage import Usage
+from simkit.graph.process.starter import StartedProcess
 
 
 class Wire:

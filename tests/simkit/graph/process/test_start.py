@@ -11,11 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from simkit.graph.process import NodeRuntime, StartError, StartSpec
+from simkit.graph.process import NodeRuntime, StartError, StartSpec, fork_starter
+from simkit.graph.process.fork_server import HAS_FORK, clean_environment
 from simkit.graph.process.protocol import FrameReader, Op, receive_frame, records, unpack_json
 from simkit.graph.process.spawn_starter import SpawnStarter
-from simkit.graph.process.start import HAS_FORK
-from simkit.graph.process.starter import clean_environment
 
 METHODS = [
     pytest.param(
@@ -180,18 +179,30 @@ def test_a_prefix_that_cannot_run_is_a_start_error(method, tmp_path):
         runtime.close()
 
 
-@pytest.mark.skipif(not HAS_FORK, reason="there is no warm parent on this platform")
-def test_a_warm_parent_that_was_killed_is_replaced(tmp_path):
+@pytest.mark.skipif(not HAS_FORK, reason="there is no fork server on this platform")
+def test_a_fork_server_that_was_killed_is_replaced(tmp_path):
     (tmp_path / "x.py").write_text("print('up')")
     spec = StartSpec(script=str(tmp_path / "x.py"), shown_path="x.py")
     runtime = NodeRuntime(method="fork")
     runtime.warm_up()
-    parent = runtime._starter._process
-    os.killpg(parent.pid, signal.SIGKILL)
-    parent.wait()
+    server = runtime._starter
+    os.killpg(server.server_pid, signal.SIGKILL)
+    while server.alive:
+        time.sleep(0.001)
     process = runtime.start(spec)
     _last_words(process)
     assert _finish(process)[1] == "up\n"
+    runtime.close()
+
+
+@pytest.mark.skipif(not HAS_FORK, reason="there is no fork server on this platform")
+def test_nodes_of_another_copy_of_simkit_are_refused_with_its_place(tmp_path, monkeypatch):
+    monkeypatch.setattr(fork_starter, "SIMKIT", "/elsewhere/simkit")
+    runtime = NodeRuntime(method="fork")
+    with pytest.raises(
+        StartError, match=r"this simulation that of /elsewhere/simkit.*Run `make` here"
+    ):
+        runtime.start(StartSpec(script=str(tmp_path / "x.py"), shown_path="x.py"))
     runtime.close()
 
 
