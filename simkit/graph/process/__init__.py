@@ -16,8 +16,6 @@ from simkit.graph.process.fork_server import (
     python_command,
     share_memory,
 )
-from simkit.graph.process.limits import NodeLimits
-from simkit.graph.process.permissions import Permissions
 from simkit.graph.process.process_tree import (
     become_reaper,
     descendants,
@@ -26,7 +24,7 @@ from simkit.graph.process.process_tree import (
 )
 from simkit.graph.process.runtime import NodeRuntime, shared_runtime
 from simkit.graph.process.script_node import ScriptNode
-from simkit.graph.process.spec import StartSpec
+from simkit.graph.process.spec import NodeLimits, Permissions, StartSpec
 
 __all__ = [
     "HAS_FORK",

@@ -18,11 +18,9 @@ from typing import Any
 
 from simkit.graph.process import client as client_module
 from simkit.graph.process.errors import describe, print_traceback
-from simkit.graph.process.limits import apply_limits
 from simkit.graph.process.node_client import NodeClient
-from simkit.graph.process.spec import StartSpec
-from simkit.graph.process.virtual_threads import virtualise_threading
-from simkit.graph.process.virtual_time import seed_everything, virtualise_time
+from simkit.graph.process.spec import StartSpec, apply_limits
+from simkit.graph.process.virtual_time import seed_everything, virtualise_threading, virtualise_time
 
 ROS1_FOLDER = str(Path(__file__).resolve().parents[2] / "ros1")
 

@@ -15,8 +15,7 @@ from typing import Any
 from simkit.graph.process import errors, protocol
 from simkit.graph.process.line import Line
 from simkit.graph.process.protocol import Op
-from simkit.graph.process.scheduler import Scheduler, Task
-from simkit.graph.process.worker import Worker
+from simkit.graph.process.scheduler import Scheduler, Task, Worker
 
 MILLISECOND = 1_000_000
 FREE_CLOCK_READS = 50

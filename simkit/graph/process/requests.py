@@ -10,12 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 from simkit.errors import SimkitError
 from simkit.graph import names
+from simkit.graph.log import LogLevel
 from simkit.graph.process import protocol
-from simkit.graph.process.log_requests import LogRequests
-from simkit.graph.process.parameter_requests import ParameterRequests
+from simkit.graph.process.endpoint_requests import ServiceRequests, TopicRequests
 from simkit.graph.process.protocol import Op, ProtocolError
-from simkit.graph.process.service_requests import ServiceRequests
-from simkit.graph.process.topic_requests import TopicRequests
 
 if TYPE_CHECKING:
     from simkit.graph.process.script_node import ScriptNode
@@ -109,3 +107,75 @@ class Requests:
         if what == "connections":
             return {"value": self._topics.connections(request["id"])}
         raise ProtocolError(f"{what!r} is no question")
+
+
+MAX_TEXT = 10_000
+"""Longest line that a script may say [characters]."""
+MAX_SAID = 64 * 1024 * 1024
+"""How much a script may say over its life [characters]."""
+OVERHEAD = 200
+"""What keeping a line costs besides its text [characters]."""
+
+
+class LogRequests:
+    """Puts on rosout what one node says, as far as it can be kept."""
+
+    def __init__(self, node: ScriptNode) -> None:
+        self._node = node
+        self._size_said = 0
+        self.told: dict[Op, Callable[[bytes], None]] = {Op.LOG: self._log}
+        """What is done without an answer."""
+
+    def _log(self, body: bytes) -> None:
+        try:
+            level = LogLevel(body[0])
+        except (ValueError, IndexError) as error:
+            raise ProtocolError("not a log level") from error
+        text = body[1:].decode("utf-8", "replace")[:MAX_TEXT]
+        before = self._size_said
+        self._size_said += len(text) + OVERHEAD
+        if self._size_said <= MAX_SAID:
+            self._node.graph.log(self._node.name, level, text)
+        elif before <= MAX_SAID:
+            warning = "this node says too much; no more is kept"
+            self._node.graph.log(self._node.name, LogLevel.WARN, warning)
+
+
+MAX_SET = 64 * 1024 * 1024
+"""How much a script may set in parameters over its life [bytes of JSON]."""
+
+
+class ParameterRequests:
+    """Reads and sets parameters for one node."""
+
+    def __init__(self, node: ScriptNode) -> None:
+        self._node = node
+        self._size_set = 0
+        self.asked: dict[Op, Callable[[bytes], Any]] = {Op.PARAM: self._param}
+        """What is answered, and how."""
+
+    def _param(self, body: bytes) -> dict[str, Any]:
+        request = protocol.unpack_json(body)
+        node, do = self._node, request["do"]
+        params = node.graph.params
+        if do == "names":
+            return {"value": params.names()}
+        if do == "search":
+            return {"value": params.search(node.name, request["name"])}
+        name = node.resolve(request["name"])
+        if do == "has":
+            return {"value": params.has(name)}
+        if do == "get":
+            return {"value": params.get(name)} if params.has(name) else {"missing": name}
+        if sentence := node.permissions.refuse_parameter(name, node.name):
+            return node.refuse(sentence)
+        if do == "set":
+            self._size_set += len(body)
+            if self._size_set > MAX_SET:
+                return {"error": "this node has set more parameters than it may"}
+            params.set(name, request["value"])
+        if do == "delete":
+            if not params.has(name):
+                return {"missing": name}
+            params.delete(name)
+        return {}

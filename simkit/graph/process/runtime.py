@@ -10,9 +10,8 @@ from pathlib import Path
 
 from simkit.graph.process.fork_server import HAS_FORK, StartError
 from simkit.graph.process.fork_starter import ForkStarter
-from simkit.graph.process.limits import NodeLimits
 from simkit.graph.process.spawn_starter import SpawnStarter
-from simkit.graph.process.spec import StartSpec
+from simkit.graph.process.spec import NodeLimits, StartSpec
 from simkit.graph.process.starter import StartedProcess, Starter
 
 

@@ -16,13 +16,11 @@ from simkit.graph.process import failure as failures
 from simkit.graph.process import protocol
 from simkit.graph.process.failure import NodeFailure
 from simkit.graph.process.fork_server import StartError
-from simkit.graph.process.link import Ended, Flooded, NodeLink, Stuck
-from simkit.graph.process.permissions import Permissions
-from simkit.graph.process.printout import Printout
+from simkit.graph.process.link import Ended, Flooded, NodeLink, Printout, Stuck
 from simkit.graph.process.protocol import Op, Outbox, ProtocolError
 from simkit.graph.process.requests import Requests
 from simkit.graph.process.runtime import NodeRuntime
-from simkit.graph.process.spec import StartSpec
+from simkit.graph.process.spec import Permissions, StartSpec
 from simkit.graph.process.starter import StartedProcess
 from simkit.graph.process.turns import Turns
 from simkit.graph.services import ServiceServer

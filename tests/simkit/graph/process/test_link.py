@@ -13,6 +13,7 @@ from simkit.graph.process.link import (
     Ended,
     Flooded,
     NodeLink,
+    Printout,
     Stuck,
     most_telling_stack,
 )
@@ -229,3 +230,28 @@ def test_any_text_for_a_stack_is_borne(text):
     for file, line, function in most_telling_stack("Current thread 0x1\n" + text):
         assert isinstance(file + function, str)
         assert line >= 0
+
+
+# -- what a script prints, and how much of it was shown
+
+
+@given(st.text(), st.integers(1, 5))
+def test_what_comes_in_any_pieces_is_shown_once_and_whole(text, size):
+    shown = []
+    printout = Printout(shown.append)
+    data = text.encode()
+    for start in range(0, len(data), size):
+        printout.data += data[start : start + size]
+        printout.show_news()
+        printout.show_news()
+    assert "".join(shown) == text == printout.text
+    assert all(shown)
+
+
+def test_what_is_no_text_is_shown_nevertheless():
+    shown = []
+    printout = Printout(shown.append)
+    printout.data += b"a\xffb"
+    printout.show_news()
+    assert shown == ["a\ufffdb"]
+    assert printout.text == "a\ufffdb"
