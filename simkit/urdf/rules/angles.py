@@ -72,7 +72,7 @@ def _in_limits(joint: JointEntry) -> Iterator[Find]:
         element=limit.element,
         what=f"{called(joint.element)} has {written}: {turns} turns in radians, so this looks like degrees",
         remedy=f"Angles are in radians: write {_mended(values)}.",
-        here=f"The joint may turn {turns} times round.",
+        here=f"The joint may turn by {turns} revolutions.",
         gazebo="ROS and Gazebo take the number for radians, too.",
     )
 

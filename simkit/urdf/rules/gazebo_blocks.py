@@ -82,7 +82,7 @@ def gazebo_tag(sheet: Sheet) -> Iterator[Find]:
     Symptom: The setting has no effect.
 
     Cause: A misspelt tag, a tag of SDF where URDF has its own (`<mu>` is `<mu1>`), a tag for links in the block of a joint,
-    or a value that is no number, or neither true nor false.
+    or a value that is not a number, or neither true nor false.
 
     Remedy: The tag that is meant. For links there are `material`, `mu1`, `mu2`, `kp`, `kd`, `selfCollide`, `turnGravityOff`
     and others; for joints `provideFeedback`, `springStiffness`, `preserveFixedJoint` and others.
@@ -138,7 +138,7 @@ def lumped_links(sheet: Sheet) -> Iterator[Find]:
     joint = sheet.joints_above[names[0]][0]
     yield Find(
         joint.element,
-        what=f"Gazebo melts what hangs on fixed joints into the parent: {listed(names)}",
+        what=f"Gazebo merges links on fixed joints into their parent: {listed(names)}",
         remedy=f"Right as it is. To keep a link: <gazebo reference={_attribute(joint.name)}>"
         "<preserveFixedJoint>true</preserveFixedJoint></gazebo>.",
     )

@@ -78,7 +78,7 @@ def _zero(joint: JointEntry) -> Find:
         + ("is zero: it has no direction" if has_xyz else "has no xyz, and so is zero"),
         remedy='Say which axis is meant, e.g. <axis xyz="0 0 1"/>.',
         here="The joint does not move anything.",
-        gazebo="ROS accepts it, and TF gets numbers that are none; Gazebo refuses the robot: an axis has a length.",
+        gazebo="ROS accepts it, and TF gets NaN; Gazebo refuses the robot: an axis has a length.",
     )
 
 
@@ -92,7 +92,7 @@ def _not_unit(joint: JointEntry, axis: Vector, length: float) -> Find:
         element=element,
         what=f"the axis of {called(joint.element)} has length {number_text(length)}, not 1",
         remedy=f'Only its direction counts: write xyz="{unit}". To turn the axis, turn the joint: <origin rpy="..."/>.',
-        both="It is made one long.",
+        both="It is normalised to length 1.",
     )
 
 

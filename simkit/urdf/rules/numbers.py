@@ -52,7 +52,7 @@ _MOST_LINES = 10
 
 @rule("URDF-E19", "no number, or not as many as needed (commas, units, formulas)", Severity.ERROR)
 def bad_number(sheet: Sheet) -> Iterator[Find]:
-    """Something that is no number, or not so many numbers as there should be.
+    """Something that is not a number, or not as many numbers as there should be.
 
     ROS says `Unable to parse component [0,] to a double`, and names no line. Numbers stand with spaces between them, without
     commas, brackets, units or formulas; the point is a point, not a comma. In a joint ROS then refuses the robot; in a link it
@@ -83,7 +83,7 @@ def _trouble(sheet: Sheet, attribute: Attribute, count: int) -> str:
     if count == 1:
         if to_double(value) is not None:
             return ""
-        return "has a space behind it" if read_number(value) is not None else "is no number"
+        return "has a space behind it" if read_number(value) is not None else "is not a number"
     words = [word for word in value.split(" ") if word]
     if any(read_number(word) is None for word in words):
         return _odd_word(words)
@@ -114,7 +114,7 @@ def _odd_word(words: list[str]) -> str:
     word = next(word for word in words if read_number(word) is None)
     if word == "," or (word.endswith(",") and read_number(word[:-1]) is not None):
         return "has commas between its numbers"
-    return f"holds {shown(word)!r}, which is no number"
+    return f"holds {shown(word)!r}, which is not a number"
 
 
 def _bad(element: Element, attribute: Attribute, count: int, trouble: str) -> Find:

@@ -121,7 +121,7 @@ def plugin_parameter(sheet: Sheet) -> Iterator[Find]:
     Symptom: The setting has no effect, and the plugin goes on with its default.
 
     Cause: A misspelt name, the name of another version (`torque` was `wheelTorque`'s name before 2014, `wheel_separation`
-    is ROS 2's), or a value that is no number. Gazebo does not complain about words it does not know.
+    is ROS 2's), or a value that is not a number. Gazebo does not complain about words it does not know.
 
     Remedy: The name that the plugin reads.
 

@@ -188,7 +188,7 @@ def _swapped(element: Element, low: str, high: str) -> Iterator[tuple[Element, s
     for name in (low, high):
         part = _part(element, name)
         if part is not None and read_number(part.text) is None:
-            yield part, f"<{name}> is no number: {quoted(part.text.strip())}", "Write a number."
+            yield part, f"<{name}> is not a number: {quoted(part.text.strip())}", "Write a number."
     if place is None or below is None or above is None or below < above or (below == above == 0.0):
         return
     what = f"<{low}> is {short(below)}, and <{high}> is {short(above)}"

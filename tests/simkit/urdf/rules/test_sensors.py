@@ -54,7 +54,7 @@ def test_a_laser_with_sense(told):
             "<min_angle>",
         ),
         ("<min>0.1", "<min>20", 12, "<min> is 20, and <max> is 10", "<min>"),
-        ("<max>10.0", "<max>far", 12, "<max> is no number: 'far'", "a number"),
+        ("<max>10.0", "<max>far", 12, "<max> is not a number: 'far'", "a number"),
         (">gaussian<", ">gausian<", 13, "no noise of type 'gausian'", "gaussian"),
         (">0.01<", ">-1<", 13, "<stddev> is '-1'", "0 or more"),
         (">20<", ">-5<", 5, "<update_rate> is '-5'", "[Hz]"),
