@@ -5,7 +5,7 @@ import pytest
 from grader.checks import after, expect, expect_close, points
 from grader.checks.answers import given_answer
 from grader.checks.given import broadcast_turtle, without_broadcasters
-from oracles.following import bearing, come_near, drive, gap, samples, usual_bearing
+from oracles.pursuit import bearing, come_near, drive, gap, samples, usual_bearing
 from oracles.turtles import TurtleWatch
 
 SCRIPT = "turtle_tf_listener.py"

@@ -5,7 +5,7 @@ import pytest
 from grader.checks import after, expect, expect_close, points
 from grader.checks.answers import given_answer, words_of
 from grader.checks.given import broadcast_turtle
-from oracles.following import (
+from oracles.pursuit import (
     come_near,
     come_to_rest,
     drive,

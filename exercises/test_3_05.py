@@ -5,8 +5,8 @@ import pytest
 from grader.checks import expect, expect_close, points
 from grader.checks.answers import given_answer, words_of
 from grader.checks.given import broadcast_frame, broadcast_turtle
-from oracles.following import ahead_of, drive, seen_from
 from oracles.frames import expect_frame
+from oracles.pursuit import ahead_of, drive, seen_from
 from oracles.turtles import TurtleWatch, last_before
 
 BRIDGE = "point_bridge.py"

@@ -25,7 +25,7 @@ def _root(options: argparse.Namespace) -> Path:
 def grade(options: argparse.Namespace) -> int:
     """`grader grade PATH...`."""
     from grader.report import print_gradebook, progress
-    from grader.run.grading import ClassRun, grade_class, tasks_of
+    from grader.run.class_run import ClassRun, grade_class, tasks_of
     from grader.run.schedule import default_jobs
     from grader.sandbox import find_sandbox
 

@@ -6,7 +6,7 @@ import pytest
 
 from grader.checks import expect, points
 from grader.checks.given import broadcast_turtle
-from oracles.following import come_near, drive, gap, samples, usual_bearing
+from oracles.pursuit import come_near, drive, gap, samples, usual_bearing
 
 SCRIPT = "turtle_tf_listener.py"
 

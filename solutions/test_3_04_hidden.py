@@ -6,7 +6,7 @@ import pytest
 
 from grader.checks import expect, expect_close, points
 from grader.checks.given import broadcast_turtle
-from oracles.following import bearing, come_near, come_to_rest, reaction_time
+from oracles.pursuit import bearing, come_near, come_to_rest, reaction_time
 
 SCRIPT = "turtle_tf_listener_time_travel.py"
 

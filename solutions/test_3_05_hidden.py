@@ -6,7 +6,7 @@ import pytest
 
 from grader.checks import expect, expect_close, points
 from grader.checks.given import broadcast_frame, broadcast_turtle
-from oracles.following import ahead_of, seen_from
+from oracles.pursuit import ahead_of, seen_from
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ import pytest
 
 from grader.checks.context import CheckContext, context_of
 from grader.checks.nodes import NodeWatch, permissions_of, require_handed_in
-from grader.checks.stage import stage_of
+from grader.checks.workspace import workspace_of
 from grader.exercises import Exercise
 from grader.submission import Submission
 from simkit import Simulation
@@ -42,13 +42,13 @@ def exercise(check_context: CheckContext) -> Exercise:
 @pytest.fixture(scope="session")
 def package_path(pytestconfig: pytest.Config) -> Path:
     """Folder with the student's files, laid out as ROS packages."""
-    return stage_of(pytestconfig).package_path
+    return workspace_of(pytestconfig).package_path
 
 
 @pytest.fixture(scope="session")
 def node_runtime(pytestconfig: pytest.Config) -> NodeRuntime:
     """Where the student's nodes run: in the sandbox, under its limits."""
-    return stage_of(pytestconfig).runtime
+    return workspace_of(pytestconfig).runtime
 
 
 @pytest.fixture

@@ -17,8 +17,8 @@ from grader.checks.fixtures import WATCH
 from grader.checks.log import log_of
 from grader.checks.marks import needed_by, points_of
 from grader.checks.nodes import NodeWatch
-from grader.checks.stage import close_stage, stage_of
 from grader.checks.verdict import Verdict, verdict_of
+from grader.checks.workspace import close_workspace, workspace_of
 from grader.results import CheckResult, Status
 
 pytest_plugins = ["grader.checks.fixtures"]
@@ -38,12 +38,12 @@ def pytest_sessionstart(session: pytest.Session) -> None:
     """Start what the student's nodes come from, if there are any: it gets ready while the checks are read."""
     context = context_of(session.config)
     if not context.only_list and any(file.endswith(".py") for file in context.submission.files):
-        stage_of(session.config).warm_up()
+        workspace_of(session.config).warm_up()
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
     """End the student's nodes."""
-    close_stage(config)
+    close_workspace(config)
 
 
 @pytest.hookimpl(trylast=True)

@@ -16,7 +16,7 @@ from typing import IO
 
 from grader.errors import SubmissionError
 from grader.submission.notebook import MAX_NOTEBOOK_BYTES
-from grader.submission.reading import too_large
+from grader.submission.regular_file import too_large
 
 MAX_ENTRIES = 20_000
 """Most entries of an archive, those of archives stored in it included."""

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from grader.errors import SubmissionError
-from grader.submission.finding import Finding, read_item
+from grader.submission.found_file import FoundFile, read_item
 from grader.submission.owners import Owner, assign_owners
 from grader.submission.scan import scan
 from grader.submission.submission import Submission
@@ -74,7 +74,7 @@ def discover(paths: Iterable[Path], exercises: Mapping[str, Exercise]) -> list[F
     Raises:
         GraderError: A path does not exist, or is nothing that could hold a submission.
     """
-    by_owner: dict[Owner, list[Finding]] = {}
+    by_owner: dict[Owner, list[FoundFile]] = {}
     for path in dict.fromkeys(Path(path) for path in paths):
         findings = [read_item(item, exercises, path_name=path.name) for item in scan(path)]
         for owner, finding in assign_owners(path, findings):
@@ -102,8 +102,8 @@ def _distinct_names(owners: Sequence[Owner]) -> dict[Owner, str]:
     return names
 
 
-def _found(student: str, findings: list[Finding]) -> FoundSubmission:
-    by_exercise: dict[str, list[Finding]] = {}
+def _found(student: str, findings: list[FoundFile]) -> FoundSubmission:
+    by_exercise: dict[str, list[FoundFile]] = {}
     for finding in findings:
         if finding.exercise is not None:
             by_exercise.setdefault(finding.exercise.id, []).append(finding)
@@ -129,7 +129,7 @@ def _found(student: str, findings: list[Finding]) -> FoundSubmission:
     )
 
 
-def _best(candidates: list[Finding], student: str, faults: list[str]) -> Submission:
+def _best(candidates: list[FoundFile], student: str, faults: list[str]) -> Submission:
     """Of several notebooks for one exercise: one with work in it, with the released name."""
     best = max(candidates, key=_rank)
     assert best.submission is not None  # by the choice of candidates
@@ -142,7 +142,7 @@ def _best(candidates: list[Finding], student: str, faults: list[str]) -> Submiss
     return replace(best.submission, student=student, notes=tuple(notes))
 
 
-def _rank(finding: Finding) -> tuple[bool, bool, int, str]:
+def _rank(finding: FoundFile) -> tuple[bool, bool, int, str]:
     submission, exercise = finding.submission, finding.exercise
     return (
         submission is not None and exercise is not None and submission.attempted(exercise),

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from grader.errors import SubmissionError
 from grader.submission.answers import NotAnAnswerError, plain_answer
 from grader.submission.json_text import decode
-from grader.submission.reading import read_regular_file
+from grader.submission.regular_file import read_regular_file
 from grader.submission.submission import Submission
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from pathlib import Path
 from grader.errors import SubmissionError
 from grader.submission.json_text import parse_json
 from grader.submission.labels import label
-from grader.submission.reading import read_regular_file
+from grader.submission.regular_file import read_regular_file
 
 MAX_NOTEBOOK_BYTES = 64_000_000
 """Largest notebook file that is read."""

@@ -19,7 +19,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from grader.submission.finding import Finding
+from grader.submission.found_file import FoundFile
 from grader.submission.labels import label
 from grader.submission.lms import lms_name
 
@@ -38,7 +38,7 @@ class Owner:
     """What a learning management system knows them by, if it named the file."""
 
 
-def assign_owners(path: Path, findings: list[Finding]) -> Iterator[tuple[Owner, Finding]]:
+def assign_owners(path: Path, findings: list[FoundFile]) -> Iterator[tuple[Owner, FoundFile]]:
     """The owner of each thing that was found below a path of the command line.
 
     Args:
@@ -60,7 +60,7 @@ def assign_owners(path: Path, findings: list[Finding]) -> Iterator[tuple[Owner, 
         owned = [(container, finding) for finding in findings]
     yield from owned
     if not owned:
-        yield container, Finding(parts=(), own_name=container.name, is_folder=True)
+        yield container, FoundFile(parts=(), own_name=container.name, is_folder=True)
 
 
 def _named(place: str, name: str) -> Owner:
@@ -71,14 +71,14 @@ def _named(place: str, name: str) -> Owner:
     return Owner(place=place, name=label(name))
 
 
-def _owner_of_notebook(path: Path, finding: Finding) -> Owner:
+def _owner_of_notebook(path: Path, finding: FoundFile) -> Owner:
     place = str(path.parent)
     if lms_name(path.name) is None and _NUMBER.match(finding.own_name):
         return _named(place, path.parent.name)
     return _named(place, path.stem)
 
 
-def _owner(container: Owner, finding: Finding, own_files: frozenset[str]) -> Owner:
+def _owner(container: Owner, finding: FoundFile, own_files: frozenset[str]) -> Owner:
     parts = finding.parts
     if container.number or not parts:
         return container
@@ -95,7 +95,7 @@ def _student_in(stem: str) -> str:
     return (stem[: number.start()].strip(" _.-") if number else "") or stem
 
 
-def _inside_single_folder(findings: list[Finding]) -> list[Finding]:
+def _inside_single_folder(findings: list[FoundFile]) -> list[FoundFile]:
     """The same findings without the folders that hold all of an archive."""
     while True:
         tops = {finding.parts[:1] for finding in findings}
@@ -107,7 +107,7 @@ def _inside_single_folder(findings: list[Finding]) -> list[Finding]:
         findings = [replace(one, parts=one.parts[1:]) for one in inner]
 
 
-def _files_named_after_students(findings: list[Finding]) -> frozenset[str]:
+def _files_named_after_students(findings: list[FoundFile]) -> frozenset[str]:
     """Names of the notebooks at the top that stand for a student each (rule 3)."""
     unnumbered = [
         one
@@ -120,7 +120,7 @@ def _files_named_after_students(findings: list[Finding]) -> frozenset[str]:
     return frozenset(one.parts[0] for one in unnumbered)
 
 
-def _is_class(container: Owner, owned: list[tuple[Owner, Finding]]) -> bool:
+def _is_class(container: Owner, owned: list[tuple[Owner, FoundFile]]) -> bool:
     """Whether what lies here are several students rather than one (rule 4)."""
     if all(owner != container for owner, _ in owned):
         return True

@@ -10,7 +10,7 @@ from pathlib import Path
 from grader.errors import GraderError, SubmissionError
 from grader.submission.archive import Item, archive_items, is_ignored
 from grader.submission.notebook import MAX_NOTEBOOK_BYTES
-from grader.submission.reading import open_regular_file, read_regular_file
+from grader.submission.regular_file import open_regular_file, read_regular_file
 
 MAX_DEPTH = 12
 """Deepest folder that is searched."""

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Finding:
+class FoundFile:
     """A notebook with its exercise, a file with its problem, or a folder."""
 
     parts: tuple[str, ...]
@@ -38,7 +38,7 @@ class Finding:
         return label("/".join(self.parts) or self.own_name)
 
 
-def read_item(item: Item, exercises: Mapping[str, Exercise], *, path_name: str) -> Finding:
+def read_item(item: Item, exercises: Mapping[str, Exercise], *, path_name: str) -> FoundFile:
     """What a file is, of which exercise, and what is in it.
 
     Args:
@@ -51,7 +51,7 @@ def read_item(item: Item, exercises: Mapping[str, Exercise], *, path_name: str) 
     own = (lms.rest or name) if lms else name
     if item.data is None:
         is_notebook = own.lower().endswith(".ipynb") and not item.is_folder
-        return Finding(
+        return FoundFile(
             parts=item.parts,
             own_name=own,
             exercise=exercise_by_name(own, exercises) if is_notebook else None,
@@ -63,15 +63,15 @@ def read_item(item: Item, exercises: Mapping[str, Exercise], *, path_name: str) 
 
 def _read_notebook(
     parts: tuple[str, ...], own: str, data: bytes, exercises: Mapping[str, Exercise]
-) -> Finding:
+) -> FoundFile:
     try:
         notebook = notebook_from_bytes(data, name=label(own))
     except SubmissionError as error:
         exercise = exercise_by_name(own, exercises)
-        return Finding(parts=parts, own_name=own, exercise=exercise, problem=str(error))
+        return FoundFile(parts=parts, own_name=own, exercise=exercise, problem=str(error))
     exercise = exercise_of(notebook, exercises, name=own)
     if exercise is None:
         problem = f"{label(own)} belongs to no exercise that is graded here"
-        return Finding(parts=parts, own_name=own, problem=problem)
+        return FoundFile(parts=parts, own_name=own, problem=problem)
     submission = submission_of(notebook, exercise)
-    return Finding(parts=parts, own_name=own, exercise=exercise, submission=submission)
+    return FoundFile(parts=parts, own_name=own, exercise=exercise, submission=submission)

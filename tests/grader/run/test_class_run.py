@@ -3,7 +3,7 @@
 import pytest
 
 from grader.results import Status
-from grader.run.grading import ClassRun, grade_class, tasks_of
+from grader.run.class_run import ClassRun, grade_class, tasks_of
 from grader.sandbox import Sandbox
 from grader.submission.discover import discover
 
@@ -81,16 +81,16 @@ def test_only_public_checks_if_asked(group, grade_folder):
 
 
 def test_a_fault_of_ours_in_one_does_not_stop_the_others(group, grade_folder, monkeypatch):
-    from grader.run import grading
+    from grader.run import class_run
 
-    real = grading.grade_submission
+    real = class_run.grade_submission
 
     def broken(submission, *args, **kwargs):
         if submission.student == "bob":
             raise RuntimeError("a bug")
         return real(submission, *args, **kwargs)
 
-    monkeypatch.setattr(grading, "grade_submission", broken)
+    monkeypatch.setattr(class_run, "grade_submission", broken)
     gradebook, _ = grade_folder()
     by_name = {entry.student: entry.exercises[0] for entry in gradebook.submissions}
     assert by_name["bob"].status is Status.INFRASTRUCTURE

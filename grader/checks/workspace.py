@@ -15,7 +15,7 @@ ALLOWANCE = 5.0
 """Wall time for which a script of a student may compute without waiting [s]."""
 
 
-class Stage:
+class Workspace:
     """The student's files, laid out as ROS packages, and the sandbox that their nodes run in.
 
     Args:
@@ -49,17 +49,17 @@ def _runtime(context: CheckContext, package_path: Path) -> NodeRuntime:
     )
 
 
-_STAGE: pytest.StashKey[Stage] = pytest.StashKey()
+_WORKSPACE: pytest.StashKey[Workspace] = pytest.StashKey()
 
 
-def stage_of(config: pytest.Config) -> Stage:
-    """The stage of this pytest run, set up when it is first asked for."""
-    if _STAGE not in config.stash:
-        config.stash[_STAGE] = Stage(context_of(config))
-    return config.stash[_STAGE]
+def workspace_of(config: pytest.Config) -> Workspace:
+    """The workspace of this pytest run, set up when it is first asked for."""
+    if _WORKSPACE not in config.stash:
+        config.stash[_WORKSPACE] = Workspace(context_of(config))
+    return config.stash[_WORKSPACE]
 
 
-def close_stage(config: pytest.Config) -> None:
+def close_workspace(config: pytest.Config) -> None:
     """End all nodes of this pytest run."""
-    if _STAGE in config.stash:
-        config.stash[_STAGE].runtime.close()
+    if _WORKSPACE in config.stash:
+        config.stash[_WORKSPACE].runtime.close()
