@@ -14,7 +14,7 @@ def vector_of(message: Any) -> Vector:
     return (message.x, message.y, message.z)
 
 
-def placement_of(pose: Any) -> Transform:
+def transform_of_message(pose: Any) -> Transform:
     """The pose of a message; a quaternion of zeros, as in a request left empty, turns nothing."""
     q = pose.orientation
     norm = math.sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w)

@@ -5,18 +5,41 @@ from __future__ import annotations
 from typing import Any
 
 from simkit.errors import SimkitError
-from simkit.gazebo.poses import placement_of, pose_message, twist_message, vector_of
+from simkit.gazebo.poses import pose_message, transform_of_message, twist_message, vector_of
 from simkit.gazebo.server import Gazebo
 from simkit.gazebo.services.service import Service, link_of
 from simkit.geometry import Transform
 
 
-def services(gazebo: Gazebo) -> list[Service]:
-    """The services of this group."""
+class LinkServices:
+    """Services that tell where links are, and what they weigh.
 
-    def get_state(request: Any, response: Any) -> str:
-        model, link = link_of(gazebo, request.link_name, "GetLinkState")
-        frame = gazebo.frame(request.reference_frame)
+    Args:
+        gazebo: The world.
+    """
+
+    def __init__(self, gazebo: Gazebo) -> None:
+        self._gazebo = gazebo
+
+    def services(self) -> list[Service]:
+        """All of them."""
+        return [
+            Service(
+                name="set_link_state", type_name="gazebo_msgs/SetLinkState", answer=self._set_state
+            ),
+            Service(
+                name="get_link_state", type_name="gazebo_msgs/GetLinkState", answer=self._get_state
+            ),
+            Service(
+                name="get_link_properties",
+                type_name="gazebo_msgs/GetLinkProperties",
+                answer=self._get_properties,
+            ),
+        ]
+
+    def _get_state(self, request: Any, response: Any) -> str:
+        model, link = link_of(self._gazebo, request.link_name, "GetLinkState")
+        frame = self._gazebo.frame(request.reference_frame)
         linear, angular = model.link_twist(link)
         state = response.link_state
         state.link_name = request.link_name
@@ -25,8 +48,8 @@ def services(gazebo: Gazebo) -> list[Service]:
         state.reference_frame = request.reference_frame
         return "GetLinkState: got state"
 
-    def get_properties(request: Any, response: Any) -> str:
-        model, link = link_of(gazebo, request.link_name, "GetLinkProperties")
+    def _get_properties(self, request: Any, response: Any) -> str:
+        model, link = link_of(self._gazebo, request.link_name, "GetLinkProperties")
         if link not in model.plan.bodies:
             mount = model.plan.mounts[link].body
             raise SimkitError(f"GetLinkProperties: {link} is a part of {mount}, ask for that one")
@@ -41,30 +64,20 @@ def services(gazebo: Gazebo) -> list[Service]:
         response.izz = tensor[2][2]
         return "GetLinkProperties: got properties"
 
-    def set_state(request: Any, _response: Any) -> str:
+    def _set_state(self, request: Any, _response: Any) -> str:
         state = request.link_state
-        model, link = link_of(gazebo, state.link_name, "SetLinkState")
+        model, link = link_of(self._gazebo, state.link_name, "SetLinkState")
         root = next(iter(model.plan.bodies))
         if model.plan.mounts[link].body != root:
             raise SimkitError(
                 f"SetLinkState: {link} hangs on joints: set these (/gazebo/set_model_configuration), or "
                 f"the link {root}, which carries all of {model.name}"
             )
-        frame = gazebo.frame(state.reference_frame)
-        there = frame @ placement_of(state.pose)
+        frame = self._gazebo.frame(state.reference_frame)
+        there = frame @ transform_of_message(state.pose)
         model.set_pose(there @ (model.link_pose(link).inverse() @ model.pose))
         model.set_twist(
             frame.rotate(vector_of(state.twist.linear)),
             frame.rotate(vector_of(state.twist.angular)),
         )
         return "SetLinkState: success"
-
-    return [
-        Service(name="set_link_state", type_name="gazebo_msgs/SetLinkState", answer=set_state),
-        Service(name="get_link_state", type_name="gazebo_msgs/GetLinkState", answer=get_state),
-        Service(
-            name="get_link_properties",
-            type_name="gazebo_msgs/GetLinkProperties",
-            answer=get_properties,
-        ),
-    ]

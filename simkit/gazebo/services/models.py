@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from simkit.errors import SimkitError
-from simkit.gazebo.poses import placement_of, pose_message, twist_message, vector_of
+from simkit.gazebo.poses import pose_message, transform_of_message, twist_message, vector_of
 from simkit.gazebo.server import Gazebo
 from simkit.gazebo.services.service import Service, model_of
 from simkit.physics import JointKind, Model, ModelJoint
@@ -14,25 +14,62 @@ from simkit.physics import JointKind, Model, ModelJoint
 _REVOLUTE, _CONTINUOUS, _PRISMATIC = 0, 1, 2
 
 
-def services(gazebo: Gazebo) -> list[Service]:
-    """The services of this group."""
+class ModelServices:
+    """Services that tell and set where models and their joints are.
 
-    def get_state(request: Any, response: Any) -> str:
-        model = model_of(gazebo, request.model_name, "GetModelState")
-        frame = gazebo.frame(request.relative_entity_name)
+    Args:
+        gazebo: The world.
+    """
+
+    def __init__(self, gazebo: Gazebo) -> None:
+        self._gazebo = gazebo
+
+    def services(self) -> list[Service]:
+        """All of them."""
+        return [
+            Service(
+                name="get_model_state",
+                type_name="gazebo_msgs/GetModelState",
+                answer=self._get_state,
+            ),
+            Service(
+                name="set_model_state",
+                type_name="gazebo_msgs/SetModelState",
+                answer=self._set_state,
+            ),
+            Service(
+                name="set_model_configuration",
+                type_name="gazebo_msgs/SetModelConfiguration",
+                answer=self._set_configuration,
+            ),
+            Service(
+                name="get_model_properties",
+                type_name="gazebo_msgs/GetModelProperties",
+                answer=self._get_properties,
+            ),
+            Service(
+                name="get_joint_properties",
+                type_name="gazebo_msgs/GetJointProperties",
+                answer=self._get_joint,
+            ),
+        ]
+
+    def _get_state(self, request: Any, response: Any) -> str:
+        model = model_of(self._gazebo, request.model_name, "GetModelState")
+        frame = self._gazebo.frame(request.relative_entity_name)
         linear, angular = model.twist
-        response.header.stamp = gazebo.node.now()
+        response.header.stamp = self._gazebo.node.now()
         response.header.frame_id = request.relative_entity_name
         response.pose = pose_message(frame.inverse() @ model.pose)
         response.twist = twist_message((frame.rotate_back(linear), frame.rotate_back(angular)))
         return "GetModelState: got properties"
 
-    def set_state(request: Any, _response: Any) -> str:
-        set_model_state(gazebo, request.model_state)
+    def _set_state(self, request: Any, _response: Any) -> str:
+        set_model_state(self._gazebo, request.model_state)
         return "SetModelState: set model state done"
 
-    def set_configuration(request: Any, _response: Any) -> str:
-        model = model_of(gazebo, request.model_name, "SetModelConfiguration")
+    def _set_configuration(self, request: Any, _response: Any) -> str:
+        model = model_of(self._gazebo, request.model_name, "SetModelConfiguration")
         names, positions = request.joint_names, request.joint_positions
         if len(names) != len(positions):
             raise SimkitError(
@@ -42,8 +79,8 @@ def services(gazebo: Gazebo) -> list[Service]:
         model.set_joint_positions(dict(zip(names, positions, strict=True)))
         return "SetModelConfiguration: success"
 
-    def get_properties(request: Any, response: Any) -> str:
-        model = model_of(gazebo, request.model_name, "GetModelProperties")
+    def _get_properties(self, request: Any, response: Any) -> str:
+        model = model_of(self._gazebo, request.model_name, "GetModelProperties")
         response.canonical_body_name = next(iter(model.plan.bodies), "")
         response.body_names = list(model.plan.bodies)
         response.joint_names = list(model.joints)
@@ -53,33 +90,13 @@ def services(gazebo: Gazebo) -> list[Service]:
         response.is_static = model.plan.is_static
         return "GetModelProperties: got properties"
 
-    def get_joint(request: Any, response: Any) -> str:
-        joint = joint_of(gazebo, request.joint_name, "GetJointProperties")
+    def _get_joint(self, request: Any, response: Any) -> str:
+        joint = joint_of(self._gazebo, request.joint_name, "GetJointProperties")
         response.type = _joint_type(joint)
         response.damping = [joint.plan.damping]
         response.position = [joint.position]
         response.rate = [joint.velocity]
         return "GetJointProperties: got properties"
-
-    return [
-        Service(name="get_model_state", type_name="gazebo_msgs/GetModelState", answer=get_state),
-        Service(name="set_model_state", type_name="gazebo_msgs/SetModelState", answer=set_state),
-        Service(
-            name="set_model_configuration",
-            type_name="gazebo_msgs/SetModelConfiguration",
-            answer=set_configuration,
-        ),
-        Service(
-            name="get_model_properties",
-            type_name="gazebo_msgs/GetModelProperties",
-            answer=get_properties,
-        ),
-        Service(
-            name="get_joint_properties",
-            type_name="gazebo_msgs/GetJointProperties",
-            answer=get_joint,
-        ),
-    ]
 
 
 def set_model_state(gazebo: Gazebo, state: Any) -> None:
@@ -90,7 +107,7 @@ def set_model_state(gazebo: Gazebo, state: Any) -> None:
     """
     model = model_of(gazebo, state.model_name, "SetModelState")
     frame = gazebo.frame(state.reference_frame)
-    model.set_pose(frame @ placement_of(state.pose))
+    model.set_pose(frame @ transform_of_message(state.pose))
     model.set_twist(
         frame.rotate(vector_of(state.twist.linear)), frame.rotate(vector_of(state.twist.angular))
     )

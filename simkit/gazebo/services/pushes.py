@@ -58,36 +58,68 @@ class Pushes:
             self._gazebo.world.before_step.remove(self._act)
 
 
-def services(gazebo: Gazebo) -> list[Service]:
-    """The services of this group."""
-    pushes = Pushes(gazebo)
-    # What acts on a model that is taken out must not act on.
-    gazebo.on_delete.append(lambda spawned: pushes.clear("model", spawned.name))
+class PushServices:
+    """Services that push links and drive joints, for a time.
 
-    def push_body(request: Any, _response: Any) -> str:
-        model, link = link_of(gazebo, request.body_name, "ApplyBodyWrench")
-        frame = gazebo.frame(request.reference_frame)
+    Args:
+        gazebo: The world.
+    """
+
+    def __init__(self, gazebo: Gazebo) -> None:
+        self._gazebo = gazebo
+        self._pushes = Pushes(gazebo)
+        # What acts on a model that is taken out must not act on.
+        gazebo.on_delete.append(lambda spawned: self._pushes.clear("model", spawned.name))
+
+    def services(self) -> list[Service]:
+        """All of them."""
+        return [
+            Service(
+                name="apply_body_wrench",
+                type_name="gazebo_msgs/ApplyBodyWrench",
+                answer=self._push_body,
+            ),
+            Service(
+                name="apply_joint_effort",
+                type_name="gazebo_msgs/ApplyJointEffort",
+                answer=self._drive_joint,
+            ),
+            Service(
+                name="clear_body_wrenches",
+                type_name="gazebo_msgs/BodyRequest",
+                answer=self._clear_body,
+            ),
+            Service(
+                name="clear_joint_efforts",
+                type_name="gazebo_msgs/JointRequest",
+                answer=self._clear_joint,
+            ),
+        ]
+
+    def _push_body(self, request: Any, _response: Any) -> str:
+        model, link = link_of(self._gazebo, request.body_name, "ApplyBodyWrench")
+        frame = self._gazebo.frame(request.reference_frame)
         force = frame.rotate(vector_of(request.wrench.force))
         torque = frame.rotate(vector_of(request.wrench.torque))
         here = frame.apply(vector_of(request.reference_point))
         point = model.link_pose(link).inverse().apply(here)
         if not request.reference_frame:
             point = (0.0, 0.0, 0.0)  # said in no frame: at the link itself
-        start, end = _span(gazebo, request)
+        start, end = _span(self._gazebo, request)
 
         def act() -> None:
-            if model.name in gazebo.world.models:
+            if model.name in self._gazebo.world.models:
                 model.push(link, force=force, torque=torque, point=point)
 
         push = _Push(
             key=f"body {request.body_name}", start_ns=start, end_ns=end, act=act, end=_nothing
         )
-        pushes.add(push)
+        self._pushes.add(push)
         return "ApplyBodyWrench: success"
 
-    def drive_joint(request: Any, _response: Any) -> str:
-        joint = joint_of(gazebo, request.joint_name, "ApplyJointEffort")
-        start, end = _span(gazebo, request)
+    def _drive_joint(self, request: Any, _response: Any) -> str:
+        joint = joint_of(self._gazebo, request.joint_name, "ApplyJointEffort")
+        start, end = _span(self._gazebo, request)
         effort = request.effort
         push = _Push(
             key=f"joint {request.joint_name}",
@@ -96,29 +128,16 @@ def services(gazebo: Gazebo) -> list[Service]:
             act=lambda: joint.command_effort(effort),
             end=joint.release,
         )
-        pushes.add(push)
+        self._pushes.add(push)
         return "ApplyJointEffort: effort set"
 
-    def clear_body(request: Any, _response: Any) -> str:
-        pushes.clear("body", request.body_name)
+    def _clear_body(self, request: Any, _response: Any) -> str:
+        self._pushes.clear("body", request.body_name)
         return ""
 
-    def clear_joint(request: Any, _response: Any) -> str:
-        pushes.clear("joint", request.joint_name)
+    def _clear_joint(self, request: Any, _response: Any) -> str:
+        self._pushes.clear("joint", request.joint_name)
         return ""
-
-    return [
-        Service(
-            name="apply_body_wrench", type_name="gazebo_msgs/ApplyBodyWrench", answer=push_body
-        ),
-        Service(
-            name="apply_joint_effort", type_name="gazebo_msgs/ApplyJointEffort", answer=drive_joint
-        ),
-        Service(name="clear_body_wrenches", type_name="gazebo_msgs/BodyRequest", answer=clear_body),
-        Service(
-            name="clear_joint_efforts", type_name="gazebo_msgs/JointRequest", answer=clear_joint
-        ),
-    ]
 
 
 def _span(gazebo: Gazebo, request: Any) -> tuple[int, float]:

@@ -11,58 +11,76 @@ from simkit.gazebo.server import Gazebo
 from simkit.gazebo.services.service import Service
 
 
-def services(gazebo: Gazebo) -> list[Service]:
-    """The services of this group."""
+class WorldServices:
+    """Services of the world as a whole: time, gravity, what is in it.
 
-    def doing(act: Callable[[], None]) -> Callable[[Any, Any], str]:
+    Args:
+        gazebo: The world.
+    """
+
+    def __init__(self, gazebo: Gazebo) -> None:
+        self._gazebo = gazebo
+
+    def services(self) -> list[Service]:
+        """All of them."""
+        empty = "std_srvs/Empty"
+        return [
+            Service(name="pause_physics", type_name=empty, answer=self._doing(self._gazebo.pause)),
+            Service(
+                name="unpause_physics", type_name=empty, answer=self._doing(self._gazebo.unpause)
+            ),
+            Service(
+                name="reset_world", type_name=empty, answer=self._doing(self._gazebo.reset_world)
+            ),
+            Service(
+                name="reset_simulation",
+                type_name=empty,
+                answer=self._doing(self._gazebo.reset_simulation),
+            ),
+            Service(
+                name="get_world_properties",
+                type_name="gazebo_msgs/GetWorldProperties",
+                answer=self._get_world,
+            ),
+            Service(
+                name="get_physics_properties",
+                type_name="gazebo_msgs/GetPhysicsProperties",
+                answer=self._get_physics,
+            ),
+            Service(
+                name="set_physics_properties",
+                type_name="gazebo_msgs/SetPhysicsProperties",
+                answer=self._set_physics,
+            ),
+        ]
+
+    @staticmethod
+    def _doing(act: Callable[[], None]) -> Callable[[Any, Any], str]:
         def answer(_request: Any, _response: Any) -> str:
             act()
             return ""
 
         return answer
 
-    def get_world(_request: Any, response: Any) -> str:
-        response.sim_time = gazebo.world.time_ns * 1e-9
-        response.model_names = list(gazebo.world.models)
+    def _get_world(self, _request: Any, response: Any) -> str:
+        response.sim_time = self._gazebo.world.time_ns * 1e-9
+        response.model_names = list(self._gazebo.world.models)
         response.rendering_enabled = True
         return "GetWorldProperties: got properties"
 
-    def get_physics(_request: Any, response: Any) -> str:
-        response.time_step = gazebo.world.step_ns * 1e-9
-        response.pause = gazebo.paused
-        response.max_update_rate = 1e9 / gazebo.world.step_ns
+    def _get_physics(self, _request: Any, response: Any) -> str:
+        response.time_step = self._gazebo.world.step_ns * 1e-9
+        response.pause = self._gazebo.paused
+        response.max_update_rate = 1e9 / self._gazebo.world.step_ns
         gravity = response.gravity
-        gravity.x, gravity.y, gravity.z = gazebo.world.gravity
+        gravity.x, gravity.y, gravity.z = self._gazebo.world.gravity
         return "GetPhysicsProperties: got properties"
 
-    def set_physics(request: Any, _response: Any) -> str:
-        step_s = gazebo.world.step_ns * 1e-9
+    def _set_physics(self, request: Any, _response: Any) -> str:
+        step_s = self._gazebo.world.step_ns * 1e-9
         if request.time_step and abs(request.time_step - step_s) > 1e-12:
             raise SimkitError(
                 f"SetPhysicsProperties: steps are of {step_s:g} s here; write <max_step_size> in the world file"
             )
-        gazebo.world.gravity = vector_of(request.gravity)
+        self._gazebo.world.gravity = vector_of(request.gravity)
         return "physics engine updated"
-
-    empty = "std_srvs/Empty"
-    return [
-        Service(name="pause_physics", type_name=empty, answer=doing(gazebo.pause)),
-        Service(name="unpause_physics", type_name=empty, answer=doing(gazebo.unpause)),
-        Service(name="reset_world", type_name=empty, answer=doing(gazebo.reset_world)),
-        Service(name="reset_simulation", type_name=empty, answer=doing(gazebo.reset_simulation)),
-        Service(
-            name="get_world_properties",
-            type_name="gazebo_msgs/GetWorldProperties",
-            answer=get_world,
-        ),
-        Service(
-            name="get_physics_properties",
-            type_name="gazebo_msgs/GetPhysicsProperties",
-            answer=get_physics,
-        ),
-        Service(
-            name="set_physics_properties",
-            type_name="gazebo_msgs/SetPhysicsProperties",
-            answer=set_physics,
-        ),
-    ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from simkit.gazebo.services import links, models, pushes, spawning, worlds
+from simkit.gazebo.services import GROUPS
 from simkit.geometry import Transform
 from simkit.msgs import Duration, message_class
 
@@ -32,8 +32,8 @@ def axle(gazebo):
 
 
 def test_every_service_of_every_group_is_offered_by_gazebo(sim, gazebo):
-    for group in (spawning, models, links, pushes, worlds):
-        for service in group.services(gazebo):
+    for group in GROUPS:
+        for service in group(gazebo).services():
             assert sim.graph.services[f"/gazebo/{service.name}"].node_name == "/gazebo"
 
 
