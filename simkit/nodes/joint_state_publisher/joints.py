@@ -12,8 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from simkit.nodes.joint_state_publisher.crash import Crash
-from simkit.nodes.joint_state_publisher.settings import Settings, to_number
+from simkit.nodes.joint_state_publisher.settings import Crash, Settings, to_number
 from simkit.xml import Element, parse_xml
 from simkit.xml.expat_words import words_of_expat
 

@@ -6,9 +6,8 @@ from typing import Any
 
 from simkit.graph import Node
 from simkit.msgs import Duration, message_class
-from simkit.nodes.joint_state_publisher.crash import Crash
 from simkit.nodes.joint_state_publisher.joints import read_joints
-from simkit.nodes.joint_state_publisher.settings import Settings, read_settings
+from simkit.nodes.joint_state_publisher.settings import Crash, Settings, read_settings
 from simkit.nodes.joint_state_publisher.table import JointTable
 from simkit.nodes.program import Program
 

@@ -7,11 +7,24 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from simkit.errors import SimkitError
 from simkit.graph import Node
-from simkit.nodes.joint_state_publisher.crash import Crash
 
 NO_DESCRIPTION = "RuntimeError: The robot_description parameter is required and not set."
 """What the original ends with when nobody has loaded a robot."""
+
+
+class Crash(SimkitError):
+    """The program cannot go on: where the original ends with a traceback, this one ends with its last line.
+
+    Args:
+        said: Last line of the traceback that the original ends with; empty if it has none.
+        text: What is wrong and what to do, in a sentence for people.
+    """
+
+    def __init__(self, said: str, text: str) -> None:
+        super().__init__(text)
+        self.said = said
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from simkit.msgs import Time, message_class
-from simkit.nodes.joint_state_publisher.crash import Crash
 from simkit.nodes.joint_state_publisher.joints import Follower, FreeJoint, Joints
+from simkit.nodes.joint_state_publisher.settings import Crash
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
