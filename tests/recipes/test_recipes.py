@@ -44,6 +44,30 @@ def test_the_shouter_shouts():
         sim.run(1.0)
         assert sim.latest("/shout").data == "hello"
 """
+COMMAND = '''"""`simkit rosversion`: which ROS the kit stands for."""
+
+from __future__ import annotations
+
+import argparse
+
+from simkit.commands.command import Answer, parsed
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The option -d, which is all there is."""
+    parser.add_argument("-d", action="store_true", help="show the name of the distribution")
+
+
+def _answer(_arguments: argparse.Namespace) -> Answer:
+    yield "noetic\\n"
+    return 0
+
+
+run = parsed("rosversion", add_arguments, _answer)
+'''
+COMMAND_TEST = """def test_it_is_noetic(simkit):
+    assert simkit("rosversion", "-d") == (0, "noetic\\n", "")
+"""
 RULE = '''@rule("URDF-I90", "a robot that is named robot", Severity.NOTE)
 def robot_named_robot(sheet: Sheet) -> Iterator[Find]:
     """A robot that is named robot.
@@ -178,6 +202,18 @@ def test_a_message(tree: Any) -> None:
         "rospy_tutorials/Shout d97e85ba68a2368bb8fc77ec5453ab64\n",
     )
     tree.prove("a message", NAME="Shout")
+
+
+def test_a_command(tree: Any) -> None:
+    tree.write("simkit/commands/rosversion.py", COMMAND)
+    tree.write("tests/simkit/commands/test_rosversion.py", COMMAND_TEST)
+    tree.insert(
+        "simkit/commands/table.py",
+        '    Entry(\n        name="rosrun"',
+        '    Entry(\n        name="rosversion",\n        summary="show the distribution of ROS",\n'
+        '        group=_HERE,\n        module="simkit.commands.rosversion",\n    ),\n',
+    )
+    tree.prove("a command", NAME="rosversion")
 
 
 def test_a_rule(tree: Any) -> None:
