@@ -12,7 +12,7 @@ from simkit.launch.plan import PlannedNode
 from simkit.nodes.builtin import RunningBuiltin
 
 MOST_LINES = 12
-"""So many lines of its last words are told."""
+"""So many lines of its last words are shown."""
 MOST_COLUMNS = 200
 """So much of each."""
 NodeHandle: TypeAlias = ScriptNode | RunningBuiltin
@@ -35,8 +35,8 @@ class Process:
     """Whether it is about to be started again."""
     mute: Callable[[], None] | None = None
     """What keeps its output off the screen."""
-    told: bool = False
-    """Whether its last words were told."""
+    reported: bool = False
+    """Whether its last words were shown."""
 
     @property
     def is_busy(self) -> bool:
@@ -59,9 +59,9 @@ class Process:
     def last_words(self) -> str:
         """What it printed last, once, if it has failed; roslaunch would name a log file."""
         node = self.node
-        if self.told or node is None or not node.exit_code or not node.output.strip():
+        if self.reported or node is None or not node.exit_code or not node.output.strip():
             return ""
-        self.told = True
+        self.reported = True
         lines = node.output.rstrip().split("\n")[-MOST_LINES:]
         shown = "".join(f"\n    {line[:MOST_COLUMNS]}" for line in lines)
         return f'what it printed last (its <node> has no output="screen"):{shown}'

@@ -11,7 +11,6 @@ _CUT = Pattern(rf"{_NEXT}[ \t]*+[\"']|/?>|[\n<]")
 _STOP = Pattern(rf"{_NEXT}|[/\\]?>|[\n<]")
 _NEXT_NAME = Pattern(rf"(?:^|{WHITE[0]}|\t|\n){NAME}[ \t\n]*+=[ \t\n]*+$")
 _JUNK = Pattern(rf"[\"'/\\=]|[^{NAME_START[1:-1]} \t\n<>\"'/\\=]++")
-_DOUBLED = Pattern(r"([\"'])\1([^ \t\n<>\"'/][^\n<>\"']*+)\1+")
 _NAME_LENGTH = 200
 
 
@@ -57,12 +56,6 @@ def missing_quote(text: str, start: int, end: int) -> MissingQuote | None:
     other = "'" if text[start - 1] == '"' else '"'
     value = value[:-1] if value.endswith(other) and value.count(other) == 1 else value
     return MissingQuote(end=start + len(value), resume=resume)
-
-
-def doubled_quote(text: str, start: int) -> MissingQuote | None:
-    """Whether the quotation mark of a value that seems empty is doubled, as in `""1"`; `start` is behind the first one."""
-    found = _DOUBLED.match(text, start - 1)
-    return MissingQuote(end=found.end(2), resume=found.end()) if found else None
 
 
 def unquoted_value(text: str, start: int) -> Unquoted | None:

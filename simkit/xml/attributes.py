@@ -8,7 +8,6 @@ from typing import NamedTuple
 from simkit.xml.attribute_faults import (
     MissingQuote,
     describe_junk,
-    doubled_quote,
     junk_end,
     missing_quote,
     unquoted_value,
@@ -122,21 +121,10 @@ class AttributeList:
     def _mend(self, last: _Place) -> bool:
         """Whether the fault lies in the attribute before, which looked right; if so it is read anew."""
         text = self._source.text
-        doubled = doubled_quote(text, last.start) if last.start == last.end else None
         cut = missing_quote(text, last.start, last.end)
-        if doubled is not None:
-            value = text[last.start + 1 : doubled.end]
-            self.fault(
-                last.start - 1,
-                doubled.resume,
-                what=f"the value of {short(last.name)} begins with two quotation marks",
-                remedy=f'Write {short(last.name)}="{short(value)}"',
-            )
-            self._keep(_Place(last.name, last.name_at, last.start + 1, doubled.end), value)
-            self.at = doubled.resume
-        elif cut is not None:
+        if cut is not None:
             self._cut(last, cut)
-        return doubled is not None or cut is not None
+        return cut is not None
 
     def _special(self, name: re.Match[str], *, has_space: bool) -> None:
         """An attribute with a fault, or with references in its value."""
