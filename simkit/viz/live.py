@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import weakref
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from simkit.viz.live_view import running_notebook
 from simkit.viz.page.live_state import LiveNews, NewsSource
+from simkit.viz.page.meshcat_window import MeshcatWindow, visualizer
 from simkit.viz.page.scene_data import scene_data, summary
 from simkit.viz.page.view_page import LIVE_STATUS, view_page
 from simkit.viz.still.picture import still_image
@@ -39,6 +41,7 @@ class LiveRviz:
         self._source = source
         self._is_over = is_over
         self._has_ended = False
+        self._window = MeshcatWindow(self._show_meshcat)
         self._server: LiveServer | None = None
         self._news: LiveNews | None = None
         self._widget: SceneWidget | None = None
@@ -60,9 +63,19 @@ class LiveRviz:
             from simkit.viz.widgets.scene_widget import SceneWidget
 
             self._widget = SceneWidget(self._source)
+            self._show_meshcat()
             if not self.alive:
                 self._widget.end()
         return self._widget
+
+    @property
+    def meshcat(self) -> Any:
+        """A `meshcat.Visualizer`: objects that are set there are seen in this view, in the fixed frame."""
+        return visualizer(self._window)
+
+    def _show_meshcat(self) -> None:
+        if self._widget is not None:
+            self._widget.meshcat = json.dumps(self._window.commands)
 
     @property
     def alive(self) -> bool:
@@ -108,7 +121,11 @@ class LiveRviz:
     def to_html(self) -> str:
         """The page, with the scene as it is now."""
         scene = self._source.scene()
-        data = {**scene_data(scene), "socket": self._started().socket_url}
+        data = {
+            **scene_data(scene),
+            "socket": self._started().socket_url,
+            "meshcat": self._window.commands,
+        }
         return view_page(
             scene,
             data=data,

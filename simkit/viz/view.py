@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 from simkit.viz.page.html import inline_frame
-from simkit.viz.page.scene_data import summary
-from simkit.viz.page.view_page import page_height, rviz_page
+from simkit.viz.page.meshcat_window import MeshcatWindow, visualizer
+from simkit.viz.page.scene_data import scene_data, summary
+from simkit.viz.page.view_page import page_height, view_page
 from simkit.viz.saving import save_as
 from simkit.viz.stage.scene import Scene
 from simkit.viz.still.picture import still_image
@@ -30,6 +32,12 @@ class RvizView:
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
+        self._window = MeshcatWindow()
+
+    @property
+    def meshcat(self) -> Any:
+        """A `meshcat.Visualizer`: objects that are set there are in the page, in the fixed frame; not in a still picture."""
+        return visualizer(self._window)
 
     @property
     def error(self) -> str:
@@ -43,7 +51,8 @@ class RvizView:
 
     def to_html(self) -> str:
         """The view as one HTML file; equal scenes give equal text."""
-        return rviz_page(self.scene)
+        data = {**scene_data(self.scene), "meshcat": self._window.commands}
+        return view_page(self.scene, data=data)
 
     def to_png(self, *, scale: int = 2) -> bytes:
         """A still picture as a PNG file; it needs no browser.

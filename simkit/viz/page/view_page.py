@@ -16,7 +16,7 @@ from simkit.geometry import roll_pitch_yaw
 from simkit.viz.draw.drawing import Point
 from simkit.viz.draw.letters import shortened
 from simkit.viz.page.html import escaped, html_page
-from simkit.viz.page.scene_data import HELP, grid_note, scene_data, summary
+from simkit.viz.page.scene_data import HELP, grid_note, summary
 from simkit.viz.stage.frames import FramePose
 from simkit.viz.stage.scene import LONGEST, Scene
 from simkit.viz.stage.solid import Role
@@ -40,7 +40,15 @@ def packed_library() -> str:
 
 
 TITLE: Final = "RViz"
-SCRIPTS: Final = ("rviz_camera", "rviz_names", "rviz_marks", "rviz_scene", "rviz_words", "rviz")
+SCRIPTS: Final = (
+    "rviz_camera",
+    "rviz_names",
+    "rviz_marks",
+    "rviz_scene",
+    "rviz_guests",
+    "rviz_words",
+    "rviz",
+)
 """The scripts of every view, in their order."""
 LIVE_STATUS: Final = '<p id="live" class="quiet" role="status">connecting to the simulation ...</p>'
 """The line below a live view; its scripts say there whether it follows."""
@@ -56,11 +64,6 @@ _CREDITS = (
     "<!-- The script below holds three.js (three.js authors), MeshCat (R. Deits), dat.GUI (Google) and others, "
     "under the MIT, BSD and Apache licenses; see the package meshcat. -->"
 )
-
-
-def rviz_page(scene: Scene) -> str:
-    """The page of one moment."""
-    return view_page(scene, data=scene_data(scene))
 
 
 def view_page(

@@ -49,6 +49,8 @@ class SceneWidget(anywidget.AnyWidget):
     """A later scene as JSON, once shapes or frames have come or gone; empty before that."""
     moment = traitlets.Unicode().tag(sync=True)
     """Where everything is now, as JSON."""
+    meshcat = traitlets.Unicode().tag(sync=True)
+    """Commands of meshcat for objects that a person has added, as JSON; empty if there are none."""
     status = traitlets.Unicode().tag(sync=True)
     """What is written below the picture; empty as long as it is live."""
 

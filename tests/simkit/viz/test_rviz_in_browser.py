@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import meshcat.geometry
 import numpy as np
 import pytest
 from matplotlib.image import imread
@@ -318,3 +319,21 @@ def test_a_replay_moves_frames(drive, run_in_page):
     assert found[6][0] == "Pause"
     assert 0 < found[6][1] < 0.5
     assert found[7] == "Play"
+
+
+def test_objects_of_meshcat_are_in_the_picture(turtles, run_in_page):
+    picture = view(turtles)
+    picture.meshcat["ball"].set_object(meshcat.geometry.Sphere(0.5))
+    found = run_in_page(
+        picture.to_html(),
+        """
+        await started;
+        for (let i = 0; i < 20; i++) await frame();
+        const spheres = [];
+        view.objects.root.traverse(({ geometry }) => {
+          if (geometry?.type === "SphereGeometry") spheres.push(geometry.parameters.radius);
+        });
+        return spheres;
+        """,
+    )
+    assert found == [0.5]

@@ -64,12 +64,25 @@ class View {
     if (this.renderer) {
       if (this.objects) this.objects.dispose();
       this.objects = new SceneObjects(MeshCat.THREE, scene);
+      this.invite(this.guestCommands || scene.meshcat || []);
       this.place.classList.remove("is-still");
     }
     for (const role of ROLES) {
       element(role).parentElement.hidden = !scene.solids.some((solid) => solid.role === role);
     }
     this.measure();
+  }
+
+  // Shows what a person has added by commands of meshcat.
+  invite(commands) {
+    this.guestCommands = commands;
+    if (!commands.length || !this.renderer) return;
+    this.guests = new Guests(this.renderer, () => this.redraw());
+    this.guests.show(commands);
+    if (this.guestRoot) this.guestRoot.removeFromParent();
+    this.guestRoot = this.guests.root;
+    this.objects.root.add(this.guestRoot);
+    this.redraw();
   }
 
   // The frames of the scene have moved.

@@ -40,6 +40,7 @@
       }
       const moment = data?.moment && JSON.parse(data.moment);
       if (moment?.number === number) hear(moment);
+      if (data?.meshcat) view.invite(JSON.parse(data.meshcat));
       if (data?.status) say(data.status);
     });
   }

@@ -1,4 +1,5 @@
 // A scene as a widget of a notebook: the page in a frame, which hears of each moment. See scene_widget.py.
+const NAMES = ["scene", "moment", "meshcat", "status"];
 const CLEAR = /^(transparent|rgba\(.*, 0\))$/;
 
 // Whether the ground around a frame is light or dark.
@@ -17,8 +18,8 @@ function render({ model, el }) {
   frame.style.cssText = `border:0;display:block;height:${model.get("height")}px`;
   const tell = (words) => frame.contentWindow?.postMessage(words, "*");
   const send = (name) => model.get(name) && tell({ [name]: model.get(name) });
-  const all = () => { tell({ theme: themeAround(frame), live: true }); ["scene", "moment", "status"].forEach(send); };
-  const changes = ["scene", "moment", "status"].map((name) => [`change:${name}`, () => send(name)]);
+  const all = () => { tell({ theme: themeAround(frame), live: true }); NAMES.forEach(send); };
+  const changes = NAMES.map((name) => [`change:${name}`, () => send(name)]);
   for (const [event, act] of changes) model.on(event, act);
   frame.addEventListener("load", all);
   const watcher = new MutationObserver(() => setTimeout(() => tell({ theme: themeAround(frame) }), 300));
