@@ -10,6 +10,7 @@ from typing import Final
 from simkit.viz.draw.drawing import Drawing, Label, Point, Polyline, Shape
 from simkit.viz.draw.figure import png_bytes
 from simkit.viz.draw.letters import label_places, shortened, text_width, wrapped
+from simkit.viz.draw.pixels import few_colored_png
 from simkit.viz.page.scene_data import MOST_NAMES, grid_note, summary
 from simkit.viz.stage.camera import on_paper
 from simkit.viz.stage.scene import LONGEST, Scene
@@ -36,7 +37,7 @@ def still_png(scene: Scene, *, scale: int = 2) -> bytes:
 
 def still_image(scene: Scene) -> str:
     """The picture as an element of HTML, with words for those who do not see it."""
-    data = base64.b64encode(still_png(scene, scale=1)).decode("ascii")
+    data = base64.b64encode(few_colored_png(still_png(scene, scale=1))).decode("ascii")
     words = html.escape(f"{scene.window.title}: {summary(scene)}")
     return f'<img alt="{words}" src="data:image/png;base64,{data}" style="max-width:100%">'
 
