@@ -1,4 +1,4 @@
-"""Mass and inertia of lumps, made fit for an engine that believes whatever it is told."""
+"""Mass and inertia of rigid groups of links, made fit for an engine that checks nothing."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from simkit.geometry import Matrix
 from simkit.physics.errors import ModelError
-from simkit.physics.lumps import Lump, Member
+from simkit.physics.lumps import Member, RigidGroup
 from simkit.urdf.inertia import Body, merged, placed
 from simkit.urdf.matrix import eigenvalues
 from simkit.urdf.model import Inertial, Pose
@@ -24,7 +24,7 @@ THINNEST = 1e-7
 """Smallest principal moment of inertia per mass [m^2]: all of it within 0.3 mm of an axis."""
 
 
-def body_of(lump: Lump) -> Body | None:
+def body_of(lump: RigidGroup) -> Body | None:
     """The body that the links of a lump make, in the frame of the lump; None if it has no mass.
 
     Raises:

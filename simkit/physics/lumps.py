@@ -32,7 +32,7 @@ class Branch:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Lump:
+class RigidGroup:
     """Links that are one body."""
 
     name: str
@@ -43,11 +43,11 @@ class Lump:
     """The joints that lead away from it."""
 
 
-def find_lumps(robot: Robot, tags: GazeboTags) -> dict[str, Lump]:
+def find_lumps(robot: Robot, tags: GazeboTags) -> dict[str, RigidGroup]:
     """The lumps of a robot by name, parents before their children; `world` is one of its own."""
     below = _joints_below(robot)
     merged = _merged_links(robot, below, tags)
-    found: dict[str, Lump] = {}
+    found: dict[str, RigidGroup] = {}
     waiting = [robot.root]
     while waiting:
         lump = _lump(robot, waiting.pop(), below, merged)
@@ -63,7 +63,7 @@ def is_anchor(robot: Robot, link: str) -> bool:
 
 def _lump(
     robot: Robot, leader: str, below: Mapping[str, list[Joint]], merged: Collection[str]
-) -> Lump:
+) -> RigidGroup:
     members: list[Member] = []
     branches: list[Branch] = []
     waiting = [Member(link=robot.links[leader], frame=Transform())]
@@ -78,7 +78,7 @@ def _lump(
             else:
                 branches.append(Branch(joint=joint, frame=member.frame))
         waiting.extend(reversed(inner))
-    return Lump(name=leader, members=tuple(members), branches=tuple(branches))
+    return RigidGroup(name=leader, members=tuple(members), branches=tuple(branches))
 
 
 def _merged_links(

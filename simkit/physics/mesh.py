@@ -27,7 +27,7 @@ _Z_UP: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class TriangleMesh:
+class CollisionMesh:
     """A surface of triangles."""
 
     corners: NDArray[np.float64]
@@ -38,7 +38,7 @@ class TriangleMesh:
     """Of the ball around that [m]."""
 
     @classmethod
-    def of(cls, corners: NDArray[np.float64]) -> TriangleMesh:
+    def of(cls, corners: NDArray[np.float64]) -> CollisionMesh:
         """The mesh with these corners."""
         points = corners.reshape(-1, 3)
         middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
@@ -46,7 +46,7 @@ class TriangleMesh:
         return cls(np.ascontiguousarray(corners), middle, radius)
 
 
-def read_mesh(path: Path, scale: Vector) -> TriangleMesh:
+def read_mesh(path: Path, scale: Vector) -> CollisionMesh:
     """The triangles of an STL, OBJ or DAE file; nothing that the file refers to is read.
 
     Args:
@@ -59,10 +59,10 @@ def read_mesh(path: Path, scale: Vector) -> TriangleMesh:
     corners = np.asarray(load_mesh(path).triangles, dtype=np.float64) * np.array(scale)
     if not np.isfinite(corners).all():
         raise MeshError("it is broken (numbers that are none)")
-    return TriangleMesh.of(corners)
+    return CollisionMesh.of(corners)
 
 
-def stand_in(mesh: TriangleMesh) -> tuple[Box | Cylinder | Sphere, Transform]:
+def stand_in(mesh: CollisionMesh) -> tuple[Box | Cylinder | Sphere, Transform]:
     """The smallest of box, cylinder (along x, y, z) and sphere around a mesh, and where it is."""
     points = mesh.corners.reshape(-1, 3)
     low, high = points.min(axis=0), points.max(axis=0)

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from simkit.geometry import Transform, Vector
-from simkit.physics.mesh import TriangleMesh
+from simkit.physics.mesh import CollisionMesh
 from simkit.urdf.inertia import Body
 from simkit.urdf.model import Box, Cylinder, Sphere
 
@@ -48,7 +48,7 @@ class ShapePlan:
     """Coefficient of friction; of two that touch the smaller one counts."""
     retro: float = 0.0
     """Intensity that a laser sees."""
-    mesh: TriangleMesh | None = None
+    mesh: CollisionMesh | None = None
     """The triangles that a laser sees instead of the solid."""
     mesh_frame: Transform = HERE
     """Where the mesh is in the frame of its body."""

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simkit.physics.engine import isometry
-from simkit.physics.mesh import TriangleMesh
+from simkit.physics.mesh import CollisionMesh
 from simkit.physics.plan import Plane, ShapePlan, Solid
 from simkit.physics.ray_solids import (
     Floats,
@@ -46,7 +46,7 @@ class Ball(NamedTuple):
 class Target:
     """A shape in the way of rays."""
 
-    shape: Solid | TriangleMesh
+    shape: Solid | CollisionMesh
     """Its shape."""
     rotation: Floats
     """R_world_shape, (3, 3)."""
@@ -150,7 +150,7 @@ def _passing(
     return passes
 
 
-def ball_around(shape: Solid | TriangleMesh) -> Ball:
+def ball_around(shape: Solid | CollisionMesh) -> Ball:
     """The ball around a shape."""
     middle, radius = np.zeros(3), math.inf
     match shape:
@@ -160,12 +160,12 @@ def ball_around(shape: Solid | TriangleMesh) -> Ball:
             radius = math.hypot(shape.radius, shape.length / 2.0)
         case Sphere():
             radius = shape.radius
-        case TriangleMesh():
+        case CollisionMesh():
             middle, radius = shape.middle, shape.radius
     return Ball(middle, radius * 1.001)
 
 
-def _hit(shape: Solid | TriangleMesh, origins: Floats, directions: Floats) -> Floats:
+def _hit(shape: Solid | CollisionMesh, origins: Floats, directions: Floats) -> Floats:
     match shape:
         case Box():
             x, y, z = shape.size
@@ -176,5 +176,5 @@ def _hit(shape: Solid | TriangleMesh, origins: Floats, directions: Floats) -> Fl
             return hit_sphere(origins, directions, shape.radius)
         case Plane():
             return hit_plane(origins, directions, shape.normal)
-        case TriangleMesh():
+        case CollisionMesh():
             return hit_triangles(origins, directions, shape.corners)

@@ -13,7 +13,7 @@ from simkit.geometry import Transform
 from simkit.physics.bodies import body_of, check_numbers, check_pose, sound
 from simkit.physics.errors import ModelError
 from simkit.physics.gazebo_tags import GazeboTags, LinkTags, read_gazebo_tags
-from simkit.physics.lumps import Branch, Lump, find_lumps, is_anchor
+from simkit.physics.lumps import Branch, RigidGroup, find_lumps, is_anchor
 from simkit.physics.plan import BodyPlan, JointKind, JointPlan, ModelPlan, Mount
 from simkit.physics.shapes import shapes_of, unit
 from simkit.urdf.model import Joint, JointType, Robot
@@ -58,7 +58,7 @@ class _Planner:
         self._note_mimics()
         lumps = find_lumps(self.robot, self.tags)
         rest = {self.robot.root: Transform()}  # T_model_lump, with all joints at 0
-        branches: dict[str, tuple[Lump, Branch]] = {}
+        branches: dict[str, tuple[RigidGroup, Branch]] = {}
         for name, lump in lumps.items():
             if name in rest and self._take(lump, rest[name], branches.get(name), lumps):
                 for branch in lump.branches:
@@ -75,7 +75,11 @@ class _Planner:
         )
 
     def _take(
-        self, lump: Lump, rest: Transform, above: tuple[Lump, Branch] | None, lumps: dict[str, Lump]
+        self,
+        lump: RigidGroup,
+        rest: Transform,
+        above: tuple[RigidGroup, Branch] | None,
+        lumps: dict[str, RigidGroup],
     ) -> bool:
         """Take in a lump and the joint above it; False if it is not simulated."""
         if is_anchor(self.robot, lump.name):
@@ -106,7 +110,7 @@ class _Planner:
         self.joints[joint.name] = joint
         return True
 
-    def _joint(self, parent: Lump, branch: Branch, rest: Transform) -> JointPlan:
+    def _joint(self, parent: RigidGroup, branch: Branch, rest: Transform) -> JointPlan:
         joint = branch.joint
         check_pose(joint.origin, f"the origin of joint {joint.name}")
         kind = KINDS[joint.type]
@@ -159,7 +163,7 @@ class _Planner:
             lower, upper = upper, lower
         return (_bound(lower), _bound(upper), effort, velocity)
 
-    def _note_lost(self, lump: Lump, lumps: dict[str, Lump]) -> None:
+    def _note_lost(self, lump: RigidGroup, lumps: dict[str, RigidGroup]) -> None:
         lost = [member.link.name for member in lump.members]
         waiting = [branch.joint.child for branch in lump.branches]
         while waiting:

@@ -9,7 +9,7 @@ from simkit.geometry import Vector
 from simkit.physics.bodies import check_lengths, check_pose
 from simkit.physics.errors import ModelError
 from simkit.physics.gazebo_tags import GazeboTags, LinkTags
-from simkit.physics.lumps import Lump, Member
+from simkit.physics.lumps import Member, RigidGroup
 from simkit.physics.mesh import MAX_TRIANGLES, read_mesh, stand_in
 from simkit.physics.plan import Plane, ShapePlan
 from simkit.urdf.mesh_file import MeshError
@@ -117,7 +117,7 @@ class _Shelf:
     names: set[str] = field(default_factory=set)
 
 
-def shapes_of(lump: Lump, tags: GazeboTags) -> tuple[tuple[ShapePlan, ...], list[str]]:
+def shapes_of(lump: RigidGroup, tags: GazeboTags) -> tuple[tuple[ShapePlan, ...], list[str]]:
     """The shapes of a lump in its frame, and what is not as the file says.
 
     Raises:

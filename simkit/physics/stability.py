@@ -82,7 +82,7 @@ class LostModelError(PhysicsError):
         )
 
 
-class Watch:
+class ModelWatch:
     """One model that moves, as it is watched.
 
     Args:

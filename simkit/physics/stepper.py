@@ -14,7 +14,7 @@ from simkit.physics.joint import ModelJoint
 from simkit.physics.model import Model
 from simkit.physics.penetration import FALLING, LONGEST, lift
 from simkit.physics.second_order import SecondOrder
-from simkit.physics.stability import LOOK_EVERY, LostModelError, Watch
+from simkit.physics.stability import LOOK_EVERY, LostModelError, ModelWatch
 
 
 class Stepper:
@@ -44,7 +44,7 @@ class Stepper:
         self.after: list[Callable[[], None]] = []
         self.due: dict[Callable[[], None], Callable[[], int]] = {}
         self.busy: dict[int, ModelJoint] = {}
-        self.watches: dict[str, Watch] = {}
+        self.watches: dict[str, ModelWatch] = {}
         self.pushed: list[Any] = []
         self.step_ns = step_ns
         self.time_ns = 0

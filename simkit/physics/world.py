@@ -19,7 +19,7 @@ from simkit.physics.model import Model
 from simkit.physics.plan import ModelPlan
 from simkit.physics.rays import Hits, RayShapes, cast
 from simkit.physics.skeleton import build, shy_pairs
-from simkit.physics.stability import Watch
+from simkit.physics.stability import ModelWatch
 from simkit.physics.stepper import Stepper
 
 ORIGIN = Transform((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
@@ -276,7 +276,7 @@ class World:
         for label, (node, shape) in built.shapes.items():
             self._owners[label] = Owner(name, node.getBodyNodePtr().getName(), shape)
         if built.skeleton.getNumDofs() and not plan.is_static:
-            self._stepper.watches[name] = Watch(model)
+            self._stepper.watches[name] = ModelWatch(model)
         for one, other in shy_pairs(plan):
             self._filter().addBodyNodePairToBlackList(built.bodies[one], built.bodies[other])
 

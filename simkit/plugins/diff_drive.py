@@ -20,7 +20,7 @@ from simkit.plugins.rate import UpdateRate
 from simkit.plugins.site import Site
 from simkit.plugins.tag_values import resolve_frame, shown_namespace, tf_prefix, topic_of
 from simkit.plugins.tags import DiffDriveParameters
-from simkit.plugins.wheels import SpeedRamp, TwistListener, Wheel, WheelStates, WheelTransforms
+from simkit.plugins.wheels import MotorWheel, SpeedRamp, TwistListener, WheelStates, WheelTransforms
 
 COVARIANCES = Covariances(pose=planar_covariance(1e-5, 1e-5, 1e-3), twist=[0.0] * 36)
 """What odometry says of its errors, whatever they are."""
@@ -103,9 +103,9 @@ class DiffDrive(Plugin[DiffDriveParameters]):
 
     # -- private
 
-    def _wheel(self, name: str, joint: str) -> Wheel:
+    def _wheel(self, name: str, joint: str) -> MotorWheel:
         given = self.parameters
-        return Wheel(
+        return MotorWheel(
             self.site,
             name,
             joint,

@@ -16,7 +16,7 @@ UNKNOWN = 1e12
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Motion:
+class BaseMotion:
     """Where a robot is, and how it moves."""
 
     pose: Transform
@@ -68,7 +68,7 @@ class OdometryPublisher:
         self._odometry = node.advertise(topic, message_class("nav_msgs/Odometry"))
         self._tf = node.advertise("/tf", message_class("tf2_msgs/TFMessage")) if on_tf else None
 
-    def say(self, motion: Motion, *, has_height: bool = True) -> None:
+    def say(self, motion: BaseMotion, *, has_height: bool = True) -> None:
         """Publish.
 
         Args:
@@ -93,7 +93,7 @@ class OdometryPublisher:
             self._tf.unregister()
 
 
-def world_motion(model: Model) -> Motion:
+def world_motion(model: Model) -> BaseMotion:
     """How a model moves in truth, seen from the origin of the world.
 
     Source:
@@ -103,10 +103,10 @@ def world_motion(model: Model) -> Motion:
     (vx, vy, _), (_, _, turning) = model.twist
     yaw = roll_pitch_yaw(pose.rotation)[2]
     cos, sin = math.cos(yaw), math.sin(yaw)
-    return Motion(pose=pose, linear=(cos * vx + sin * vy, cos * vy - sin * vx), turning=turning)
+    return BaseMotion(pose=pose, linear=(cos * vx + sin * vy, cos * vy - sin * vx), turning=turning)
 
 
-def odometry_message(motion: Motion, frames: Frames, stamp: Time) -> Any:
+def odometry_message(motion: BaseMotion, frames: Frames, stamp: Time) -> Any:
     """A `nav_msgs/Odometry` without covariances."""
     message: Any = message_class("nav_msgs/Odometry")()
     message.header.stamp = stamp
@@ -183,11 +183,11 @@ class EncoderOdometry:
         self._speed, self._turning = 0.0, 0.0
 
     @property
-    def motion(self) -> Motion:
+    def motion(self) -> BaseMotion:
         """Where the robot should be by now, and how fast."""
         half = self._yaw / 2.0
         rotation = (0.0, 0.0, math.sin(half), math.cos(half))
-        return Motion(
+        return BaseMotion(
             pose=Transform((self._x, self._y, 0.0), rotation),
             linear=(self._speed, 0.0),
             turning=self._turning,

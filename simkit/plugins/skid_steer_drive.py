@@ -20,7 +20,7 @@ from simkit.plugins.rate import UpdateRate
 from simkit.plugins.site import Site
 from simkit.plugins.tag_values import resolve_frame, shown_namespace, tf_prefix, topic_of
 from simkit.plugins.tags import SkidSteerDriveParameters
-from simkit.plugins.wheels import TwistListener, Wheel
+from simkit.plugins.wheels import MotorWheel, TwistListener
 
 
 class SkidSteerDrive(Plugin[SkidSteerDriveParameters]):
@@ -103,9 +103,9 @@ class SkidSteerDrive(Plugin[SkidSteerDriveParameters]):
 
     # -- private
 
-    def _wheel(self, name: str, joint: str) -> Wheel:
+    def _wheel(self, name: str, joint: str) -> MotorWheel:
         given = self.parameters
-        return Wheel(
+        return MotorWheel(
             self.site,
             name,
             joint,

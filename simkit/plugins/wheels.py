@@ -19,7 +19,7 @@ FASTEST = 1e5
 """No motor is asked for more [rad/s]."""
 
 
-class Wheel:
+class MotorWheel:
     """A wheel with a motor that holds a speed, as far as its torque goes; at first it stands.
 
     Args:
@@ -175,7 +175,7 @@ class WheelStates:
         *wheels: The wheels, in the order of the message.
     """
 
-    def __init__(self, site: Site, *wheels: Wheel) -> None:
+    def __init__(self, site: Site, *wheels: MotorWheel) -> None:
         self._now = site.node.now
         self._joints = [wheel.joint for wheel in wheels]
         self._publisher = site.node.advertise(
@@ -204,7 +204,7 @@ class WheelTransforms:
         *wheels: The wheels, in the order of the messages.
     """
 
-    def __init__(self, site: Site, prefix: str, *wheels: Wheel) -> None:
+    def __init__(self, site: Site, prefix: str, *wheels: MotorWheel) -> None:
         self._site = site
         self._prefix = prefix
         self._joints = [wheel.joint for wheel in wheels]

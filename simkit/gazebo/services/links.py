@@ -7,7 +7,7 @@ from typing import Any
 from simkit.errors import SimkitError
 from simkit.gazebo.poses import pose_message, transform_of_message, twist_message, vector_of
 from simkit.gazebo.server import Gazebo
-from simkit.gazebo.services.service import Service, link_of
+from simkit.gazebo.services.service import GazeboService, link_of
 from simkit.geometry import Transform
 
 
@@ -21,16 +21,16 @@ class LinkServices:
     def __init__(self, gazebo: Gazebo) -> None:
         self._gazebo = gazebo
 
-    def services(self) -> list[Service]:
+    def services(self) -> list[GazeboService]:
         """All of them."""
         return [
-            Service(
+            GazeboService(
                 name="set_link_state", type_name="gazebo_msgs/SetLinkState", answer=self._set_state
             ),
-            Service(
+            GazeboService(
                 name="get_link_state", type_name="gazebo_msgs/GetLinkState", answer=self._get_state
             ),
-            Service(
+            GazeboService(
                 name="get_link_properties",
                 type_name="gazebo_msgs/GetLinkProperties",
                 answer=self._get_properties,

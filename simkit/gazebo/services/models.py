@@ -8,7 +8,7 @@ from typing import Any
 from simkit.errors import SimkitError
 from simkit.gazebo.poses import pose_message, transform_of_message, twist_message, vector_of
 from simkit.gazebo.server import Gazebo
-from simkit.gazebo.services.service import Service, model_of
+from simkit.gazebo.services.service import GazeboService, model_of
 from simkit.physics import JointKind, Model, ModelJoint
 
 _REVOLUTE, _CONTINUOUS, _PRISMATIC = 0, 1, 2
@@ -24,30 +24,30 @@ class ModelServices:
     def __init__(self, gazebo: Gazebo) -> None:
         self._gazebo = gazebo
 
-    def services(self) -> list[Service]:
+    def services(self) -> list[GazeboService]:
         """All of them."""
         return [
-            Service(
+            GazeboService(
                 name="get_model_state",
                 type_name="gazebo_msgs/GetModelState",
                 answer=self._get_state,
             ),
-            Service(
+            GazeboService(
                 name="set_model_state",
                 type_name="gazebo_msgs/SetModelState",
                 answer=self._set_state,
             ),
-            Service(
+            GazeboService(
                 name="set_model_configuration",
                 type_name="gazebo_msgs/SetModelConfiguration",
                 answer=self._set_configuration,
             ),
-            Service(
+            GazeboService(
                 name="get_model_properties",
                 type_name="gazebo_msgs/GetModelProperties",
                 answer=self._get_properties,
             ),
-            Service(
+            GazeboService(
                 name="get_joint_properties",
                 type_name="gazebo_msgs/GetJointProperties",
                 answer=self._get_joint,

@@ -12,7 +12,7 @@ from typing import Any
 from simkit.gazebo.poses import vector_of
 from simkit.gazebo.server import Gazebo
 from simkit.gazebo.services.models import joint_of
-from simkit.gazebo.services.service import Service, link_of
+from simkit.gazebo.services.service import GazeboService, link_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -71,25 +71,25 @@ class PushServices:
         # What acts on a model that is taken out must not act on.
         gazebo.on_delete.append(lambda spawned: self._pushes.clear("model", spawned.name))
 
-    def services(self) -> list[Service]:
+    def services(self) -> list[GazeboService]:
         """All of them."""
         return [
-            Service(
+            GazeboService(
                 name="apply_body_wrench",
                 type_name="gazebo_msgs/ApplyBodyWrench",
                 answer=self._push_body,
             ),
-            Service(
+            GazeboService(
                 name="apply_joint_effort",
                 type_name="gazebo_msgs/ApplyJointEffort",
                 answer=self._drive_joint,
             ),
-            Service(
+            GazeboService(
                 name="clear_body_wrenches",
                 type_name="gazebo_msgs/BodyRequest",
                 answer=self._clear_body,
             ),
-            Service(
+            GazeboService(
                 name="clear_joint_efforts",
                 type_name="gazebo_msgs/JointRequest",
                 answer=self._clear_joint,

@@ -13,7 +13,7 @@ from simkit.physics import Model
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Service:
+class GazeboService:
     """One service below `/gazebo`."""
 
     name: str

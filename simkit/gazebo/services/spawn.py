@@ -8,7 +8,7 @@ from typing import Any
 from simkit.gazebo.models import Spawned
 from simkit.gazebo.poses import transform_of_message
 from simkit.gazebo.server import Gazebo
-from simkit.gazebo.services.service import Service, model_of
+from simkit.gazebo.services.service import GazeboService, model_of
 
 SPAWNED = "SpawnModel: Successfully spawned entity"
 DELETED = "DeleteModel: successfully deleted model"
@@ -24,21 +24,23 @@ class SpawnServices:
     def __init__(self, gazebo: Gazebo) -> None:
         self._gazebo = gazebo
 
-    def services(self) -> list[Service]:
+    def services(self) -> list[GazeboService]:
         """All of them."""
         spawn = "gazebo_msgs/SpawnModel"
         return [
-            Service(
+            GazeboService(
                 name="spawn_urdf_model",
                 type_name=spawn,
                 answer=self._spawning(self._gazebo.spawn_urdf),
             ),
-            Service(
+            GazeboService(
                 name="spawn_sdf_model",
                 type_name=spawn,
                 answer=self._spawning(self._gazebo.spawn_sdf),
             ),
-            Service(name="delete_model", type_name="gazebo_msgs/DeleteModel", answer=self._delete),
+            GazeboService(
+                name="delete_model", type_name="gazebo_msgs/DeleteModel", answer=self._delete
+            ),
         ]
 
     @staticmethod

@@ -8,7 +8,7 @@ from typing import Any
 from simkit.errors import SimkitError
 from simkit.gazebo.poses import vector_of
 from simkit.gazebo.server import Gazebo
-from simkit.gazebo.services.service import Service
+from simkit.gazebo.services.service import GazeboService
 
 
 class WorldServices:
@@ -21,33 +21,35 @@ class WorldServices:
     def __init__(self, gazebo: Gazebo) -> None:
         self._gazebo = gazebo
 
-    def services(self) -> list[Service]:
+    def services(self) -> list[GazeboService]:
         """All of them."""
         empty = "std_srvs/Empty"
         return [
-            Service(name="pause_physics", type_name=empty, answer=self._doing(self._gazebo.pause)),
-            Service(
+            GazeboService(
+                name="pause_physics", type_name=empty, answer=self._doing(self._gazebo.pause)
+            ),
+            GazeboService(
                 name="unpause_physics", type_name=empty, answer=self._doing(self._gazebo.unpause)
             ),
-            Service(
+            GazeboService(
                 name="reset_world", type_name=empty, answer=self._doing(self._gazebo.reset_world)
             ),
-            Service(
+            GazeboService(
                 name="reset_simulation",
                 type_name=empty,
                 answer=self._doing(self._gazebo.reset_simulation),
             ),
-            Service(
+            GazeboService(
                 name="get_world_properties",
                 type_name="gazebo_msgs/GetWorldProperties",
                 answer=self._get_world,
             ),
-            Service(
+            GazeboService(
                 name="get_physics_properties",
                 type_name="gazebo_msgs/GetPhysicsProperties",
                 answer=self._get_physics,
             ),
-            Service(
+            GazeboService(
                 name="set_physics_properties",
                 type_name="gazebo_msgs/SetPhysicsProperties",
                 answer=self._set_physics,

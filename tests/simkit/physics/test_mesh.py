@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from simkit.physics import plan_robot
-from simkit.physics.mesh import TriangleMesh, read_mesh, stand_in
+from simkit.physics.mesh import CollisionMesh, read_mesh, stand_in
 from simkit.urdf import Box, Cylinder, Sphere, read_robot
 from simkit.urdf.mesh_file import MAX_BYTES, MeshError
 
@@ -40,7 +40,7 @@ BOX = np.array([[[0, 0, 0], [2, 0, 0], [0, 1, 0]], [[2, 1, 3], [0, 1, 3], [2, 0,
 
 @pytest.mark.parametrize("axis", [0, 1, 2])
 def test_a_wheel_is_a_cylinder_along_its_axis(axis):
-    solid, frame = stand_in(TriangleMesh.of(prism(40, 0.3, 0.1, axis) + np.array([1.0, 2.0, 3.0])))
+    solid, frame = stand_in(CollisionMesh.of(prism(40, 0.3, 0.1, axis) + np.array([1.0, 2.0, 3.0])))
     assert isinstance(solid, Cylinder)
     assert (solid.radius, solid.length) == pytest.approx((0.3, 0.1))
     assert frame.translation == pytest.approx((1.0, 2.0, 3.0))
@@ -50,16 +50,16 @@ def test_a_wheel_is_a_cylinder_along_its_axis(axis):
 
 
 def test_a_ball_is_a_sphere_and_a_box_a_box():
-    solid, _ = stand_in(TriangleMesh.of(ball(0.5)))
+    solid, _ = stand_in(CollisionMesh.of(ball(0.5)))
     assert isinstance(solid, Sphere)
     assert solid.radius == pytest.approx(0.5, rel=0.02)
-    solid, frame = stand_in(TriangleMesh.of(BOX))
+    solid, frame = stand_in(CollisionMesh.of(BOX))
     assert solid == Box((2.0, 1.0, 3.0))
     assert frame.translation == (1.0, 0.5, 1.5)
 
 
 def test_a_flat_mesh_has_a_thickness():
-    solid, _ = stand_in(TriangleMesh.of(BOX[:1]))
+    solid, _ = stand_in(CollisionMesh.of(BOX[:1]))
     assert min(solid.size) == 1e-4
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from simkit.geometry import matrix_from_rpy
 from simkit.physics import MISS, Plane
-from simkit.physics.mesh import TriangleMesh
+from simkit.physics.mesh import CollisionMesh
 from simkit.physics.rays import Hits, Target, ball_around
 from simkit.physics.rays import cast as cast_at
 from simkit.urdf import Box, Cylinder, Sphere
@@ -138,13 +138,13 @@ def test_what_is_behind_is_not_hit():
     assert (hits.targets == MISS).all()
 
 
-def box_mesh() -> TriangleMesh:
+def box_mesh() -> CollisionMesh:
     """A box of 0.4 x 0.6 x 1.0 as twelve triangles."""
     x, y, z = 0.2, 0.3, 0.5
     corners = np.array([[i, j, k] for i in (-x, x) for j in (-y, y) for k in (-z, z)])
     faces = [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5)]
     triangles = [t for a, b, c, d in faces for t in ((a, b, c), (a, c, d))]
-    return TriangleMesh.of(corners[np.array(triangles)])
+    return CollisionMesh.of(corners[np.array(triangles)])
 
 
 def test_a_mesh_is_seen_as_the_solid_that_it_is():

@@ -10,9 +10,9 @@ from simkit.geometry import Transform, roll_pitch_yaw
 from simkit.msgs import Time
 from simkit.plugins.odometry import (
     UNKNOWN,
+    BaseMotion,
     EncoderOdometry,
     Frames,
-    Motion,
     diagonal,
     odometry_message,
     planar_covariance,
@@ -37,7 +37,7 @@ def test_of_a_robot_on_wheels_three_of_six_are_known():
 
 
 def test_a_message_of_odometry_holds_pose_and_plane_motion():
-    motion = Motion(pose=POSE, linear=(0.1, 0.2), turning=0.3)
+    motion = BaseMotion(pose=POSE, linear=(0.1, 0.2), turning=0.3)
     message = odometry_message(motion, FRAMES, Time(5))
     assert (message.header.frame_id, message.child_frame_id) == ("odom", "base")
     assert message.header.stamp == Time(5)

@@ -9,7 +9,7 @@ import pytest
 from simkit.physics import Mode
 from simkit.plugins import PluginError
 from simkit.plugins.site import Site
-from simkit.plugins.wheels import FASTEST, SpeedRamp, TwistListener, Wheel
+from simkit.plugins.wheels import FASTEST, MotorWheel, SpeedRamp, TwistListener
 from simkit.xml import parse_xml
 from tests.simkit.plugins.samples import CAR, driven, tell
 
@@ -33,8 +33,8 @@ def site(stage):
 def wheel(site):
     """Makes the left wheel."""
 
-    def make(torque: float = 5.0, diameter: float = 0.2, joint: str = "left_joint") -> Wheel:
-        return Wheel(
+    def make(torque: float = 5.0, diameter: float = 0.2, joint: str = "left_joint") -> MotorWheel:
+        return MotorWheel(
             site, "leftJoint", joint, torque=torque, diameter=diameter, speaker="DiffDrive"
         )
 
