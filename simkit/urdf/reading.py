@@ -61,7 +61,7 @@ _kept = lru_cache(maxsize=MOST_KEPT)(_Text)
 
 
 class Reading:
-    """The text of a robot as it is read once in a process, by whoever asks: check_urdf, launch, publishers, spawn, views.
+    """The text of a robot, read once in a process for check_urdf, launch, publishers, spawn and views.
 
     Nothing is computed before it is asked for.
 

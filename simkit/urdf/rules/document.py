@@ -214,7 +214,7 @@ def _is_known(version: str) -> bool:
     "a file for xacro, which has not been run on it",
     Severity.ERROR,
     here="No other rule looks at this file.",
-    gazebo="ROS ignores xacro's elements, and takes ${...} and $(...) as they are: as names, and as numbers, which it cannot read.",
+    gazebo="ROS ignores xacro's elements, and takes ${...} and $(...) as they are, as names and as numbers that it cannot read.",
 )
 def unexpanded_xacro(sheet: Sheet) -> Iterator[Find]:
     """A file for xacro, given where a URDF is needed.
