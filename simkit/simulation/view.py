@@ -122,7 +122,7 @@ class View:
             ),
         )
         if live:
-            return self._live_rviz(settings)
+            return self.live_rviz(settings)
         return RvizView(self.scene_source(settings).scene())
 
     def rviz_replay(
@@ -222,7 +222,7 @@ class View:
         if isinstance(program, TurtlesimNode):
             page = self._live_turtlesim(program, is_over=is_over)
         elif isinstance(program, RvizProgram):
-            page = self._live_rviz(program.settings(self._sim.packages), is_over=is_over)
+            page = self.live_rviz(program.settings(self._sim.packages), is_over=is_over)
         elif isinstance(program, GzclientProgram):
             page = self._sim.world_window.live(is_over=is_over)
         else:
@@ -239,9 +239,15 @@ class View:
         self.add(page.refresh, page.close)
         return page
 
-    def _live_rviz(
+    def live_rviz(
         self, settings: RvizSettings, *, is_over: Callable[[], bool] = lambda: False
     ) -> LiveRviz:
+        """A view that follows the simulation.
+
+        Args:
+            settings: What is to be seen.
+            is_over: Asked before each look; the view ends when it holds.
+        """
         from simkit.viz import LiveRviz
 
         view = LiveRviz(self.scene_source(settings, with_room=True), is_over=is_over)

@@ -91,6 +91,7 @@ class Widgets:
             duration=duration,
             run=while_it_lives(self._sim),
             picture=self._robot_picture(),
+            view=self._robot_view(),
         )
         self._sim.view.add(sliders.refresh)
         return sliders
@@ -110,7 +111,12 @@ class Widgets:
         for known in self._sliders:
             if known.gui is gui:
                 return known
-        sliders = JointSliders(gui, run=while_it_lives(self._sim), picture=self._robot_picture())
+        sliders = JointSliders(
+            gui,
+            run=while_it_lives(self._sim),
+            picture=self._robot_picture(),
+            view=self._robot_view(),
+        )
         self._sliders.append(sliders)
         self._sim.view.add(sliders.refresh)
         return sliders
@@ -121,6 +127,12 @@ class Widgets:
 
         source = self._sim.view.scene_source(RvizSettings(fixed_frame=""))
         return lambda: RvizView(source.scene()).thumbnail()
+
+    def _robot_view(self) -> LiveRviz:
+        """A live view of the robots."""
+        from simkit.viz import RvizSettings
+
+        return self._sim.view.live_rviz(RvizSettings(fixed_frame="", show_tf=False))
 
     def _newest_gui(self, node: str | None) -> JointStatePublisherGui:
         from simkit.nodes.joint_state_publisher import JointStatePublisherGui

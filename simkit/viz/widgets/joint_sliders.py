@@ -29,6 +29,7 @@ class JointSliders(Panel):
         run: Lets virtual time pass [s].
         later: Where a run waits for its turn; the kernel's event loop if None.
         picture: Makes a small picture of how the robot stands, as a PNG file; without it, there is none.
+        view: A live view of the robot, which is shown beside the sliders in place of the picture.
     """
 
     SCRIPT = "sliders"
@@ -40,8 +41,9 @@ class JointSliders(Panel):
         run: Callable[[float], None],
         later: Later | None = None,
         picture: Callable[[], bytes] | None = None,
+        view: Any = None,
     ) -> None:
-        super().__init__(later=later)
+        super().__init__(later=later, view=view)
         self._gui = gui
         self._run = run
         self._png = picture

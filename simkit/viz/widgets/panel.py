@@ -78,7 +78,8 @@ class Panel:
         if self._box is None:
             self._front = _front_class()(_esm=_script(self.SCRIPT), _css=_asset("panel.css"))
             self._front.on_msg(lambda _widget, content, _buffers: self.hear(content))
-            self._front.state, self._front.picture = self.state(), self.picture()
+            self._front.state = self.state()
+            self._front.picture = {} if self._view is not None else self.picture()
             self._box = _side_by_side(self._front, self._view)
         return self._box
 
@@ -233,9 +234,9 @@ def _side_by_side(front: Any, view: Any) -> Any:
     import ipywidgets
 
     # The view may be shown elsewhere too: the room that it has here is that of a box around it.
-    room = {"flex": "1 1 24em", "min_width": "min(24em, 100%)"}
+    room = {"flex": "1 1 18em", "min_width": "min(18em, 100%)"}
     beside = ipywidgets.VBox([view.widget], layout=room)
-    layout = {"flex_flow": "row wrap", "align_items": "flex-start"}
+    layout = {"flex_flow": "row wrap", "align_items": "flex-start", "width": "100%"}
     return ipywidgets.HBox([front, beside], layout=layout)
 
 

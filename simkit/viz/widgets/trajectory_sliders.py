@@ -55,6 +55,7 @@ class TrajectorySliders(Panel):
         run: Lets virtual time pass [s].
         later: Where a run waits for its turn; the kernel's event loop if None.
         picture: Makes a small picture of how the robot stands, as a PNG file; without it, there is none.
+        view: A live view of the robot, which is shown beside the sliders in place of the picture.
 
     Raises:
         SimkitError: The duration is not between 0.01 s and 60 s.
@@ -72,8 +73,9 @@ class TrajectorySliders(Panel):
         run: Callable[[float], None],
         later: Later | None = None,
         picture: Callable[[], bytes] | None = None,
+        view: Any = None,
     ) -> None:
-        super().__init__(later=later)
+        super().__init__(later=later, view=view)
         self._png = picture
         self._node, self._controller, self._run = node, controller, run
         self._joints = {joint.name: joint for joint in joints}
