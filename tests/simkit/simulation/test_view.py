@@ -80,6 +80,7 @@ def test_a_live_view_follows_each_run_and_ends_with_the_simulation(sim, drive):
     drive(0.1)
     view = sim.rviz(live=True)
     assert isinstance(view, LiveRviz)
+    assert view.url  # somebody wants to look
     before = view._news.state
     drive(0.1)
     after = view._news.state
