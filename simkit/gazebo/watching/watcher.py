@@ -7,8 +7,7 @@ from typing import ClassVar
 
 from simkit.gazebo.models import Spawned
 from simkit.gazebo.server import Gazebo
-from simkit.gazebo.watching.drive import Drive, drive_of
-from simkit.gazebo.watching.motion import Motion
+from simkit.gazebo.watching.motion import Drive, Motion, drive_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from simkit.gazebo.watching.registry import WATCHERS
+from simkit.gazebo.watching.watch import WATCHERS
 from simkit.urdf.rules import all_rules
 from tests.simkit.plugins.conftest import Stage
 

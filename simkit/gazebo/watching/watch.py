@@ -1,16 +1,43 @@
-"""Lets the watchers look, and says what they find."""
+"""Which watchers there are; lets them look, and says what they find."""
 
 from __future__ import annotations
 
 from simkit.diagnostics import Severity
 from simkit.gazebo.models import Spawned
 from simkit.gazebo.server import Gazebo
+from simkit.gazebo.watching.drive_watchers import (
+    Drifting,
+    Slipping,
+    WheelsInAir,
+    WrongSize,
+    WrongWay,
+)
 from simkit.gazebo.watching.motion import LOOK_S
-from simkit.gazebo.watching.registry import WATCHERS
+from simkit.gazebo.watching.robot_watchers import (
+    BlindLaser,
+    NoStates,
+    StartHeight,
+    TwoPublishers,
+    WeakJoints,
+)
 from simkit.gazebo.watching.watcher import Finding, Scene, Watcher
 from simkit.graph.node import Timer
 from simkit.msgs import Duration
 from simkit.urdf.rules import check_robot
+
+WATCHERS: tuple[type[Watcher], ...] = (
+    StartHeight,
+    WheelsInAir,
+    WrongWay,
+    WrongSize,
+    WeakJoints,
+    Slipping,
+    Drifting,
+    TwoPublishers,
+    NoStates,
+    BlindLaser,
+)
+"""In the order in which they speak."""
 
 
 class Watch:
