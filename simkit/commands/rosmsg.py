@@ -13,7 +13,7 @@ from simkit import msgs
 from simkit.commands.command import Answer, parsed
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.msgs.catalog import message_definition_text, service_definition_texts
-from simkit.msgs.definition_text import message_text, service_text
+from simkit.msgs.strify import message_text, service_text
 
 
 @dataclass(frozen=True, kw_only=True)

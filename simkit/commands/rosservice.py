@@ -23,7 +23,7 @@ from simkit.msgs import (
     fill_message,
     service_class,
 )
-from simkit.msgs.definition_text import service_text
+from simkit.msgs.strify import service_text
 
 ANSWER_SECONDS = 10.0
 """How long an answer may take [s of virtual time]."""

@@ -23,7 +23,7 @@ from simkit.msgs import (
     message_class,
     message_types,
 )
-from simkit.msgs.definition_text import message_text
+from simkit.msgs.strify import message_text
 
 ONCE_SECONDS = 3.0
 """How long a message that is published once stays latched [s]."""

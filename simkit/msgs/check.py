@@ -12,11 +12,10 @@ import struct
 from collections.abc import Iterator
 from typing import Any
 
-from simkit.msgs.definition import HEADER, Definition, Field
+from simkit.msgs.definition import HEADER, NUMBER_CODES, TIME_CODES, Definition, Field
 from simkit.msgs.digest import definition_of
 from simkit.msgs.errors import SerializationError
 from simkit.msgs.rostime import Duration, Time
-from simkit.msgs.wire import NUMBER_CODES, TIME_CODES
 
 
 def explain(message: Any, error: Exception) -> SerializationError:

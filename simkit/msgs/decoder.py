@@ -22,11 +22,10 @@ import struct
 from collections.abc import Callable
 from typing import Any, NoReturn
 
-from simkit.msgs.definition import Definition, Field
+from simkit.msgs.definition import NUMBER_CODES, TIME_CODES, Definition, Field
 from simkit.msgs.digest import definition_of
 from simkit.msgs.errors import DeserializationError
 from simkit.msgs.rostime import NSEC_PER_SEC, Duration, Time, TVal
-from simkit.msgs.wire import NUMBER_CODES, TIME_CODES
 
 Decode = Callable[[bytes, int, int], tuple[Any, int]]
 

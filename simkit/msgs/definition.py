@@ -142,3 +142,27 @@ def _field(match: re.Match[str], package: str) -> Field:
         base = f"{package}/{base}"
     length = int(match["length"]) if match["length"] else None
     return Field(base=base, name=match["name"], is_array=bool(match["array"]), length=length)
+
+
+NUMBER_CODES = {
+    "bool": "B",
+    "byte": "b",
+    "char": "B",
+    "int8": "b",
+    "uint8": "B",
+    "int16": "h",
+    "uint16": "H",
+    "int32": "i",
+    "uint32": "I",
+    "int64": "q",
+    "uint64": "Q",
+    "float32": "f",
+    "float64": "d",
+}
+"""Number type -> code of `struct`; a bool is sent as a number, but read with code `?`."""
+
+TIME_CODES = {"time": "I", "duration": "i"}
+"""Type -> code of each of its two fields, secs and nsecs."""
+
+MAX_MESSAGE_BYTES = 16 * 1024 * 1024
+"""Largest message that is read unless the caller allows more: a full HD picture is 6 MB."""

@@ -17,10 +17,9 @@ import struct
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from simkit.msgs.definition import Definition, Field
+from simkit.msgs.definition import NUMBER_CODES, TIME_CODES, Definition, Field
 from simkit.msgs.digest import definition_of
 from simkit.msgs.rostime import TVal
-from simkit.msgs.wire import NUMBER_CODES, TIME_CODES
 
 Encode = Callable[[Any], bytes]
 

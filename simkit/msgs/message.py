@@ -12,10 +12,9 @@ from typing import IO, TYPE_CHECKING, Any, ClassVar, Self
 
 from simkit.errors import near_names
 from simkit.msgs.check import explain
-from simkit.msgs.definition import Definition
+from simkit.msgs.definition import MAX_MESSAGE_BYTES, Definition
 from simkit.msgs.errors import DeserializationError
 from simkit.msgs.strify import strify_message
-from simkit.msgs.wire import MAX_MESSAGE_BYTES
 
 if TYPE_CHECKING:
 

@@ -1,4 +1,4 @@
-"""What `rostopic echo` and `print` show of a message: YAML, one field a line.
+"""What `rostopic echo` and `print` show of a message: YAML, one field a line; and what `rosmsg show` shows of a type.
 
 Source:
     genpy's `strify_message` (Noetic): nested messages indented by two, `nsecs` right-aligned
@@ -10,6 +10,9 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from simkit.msgs.catalog import service_definition_texts
+from simkit.msgs.definition import Definition, parse_definition
+from simkit.msgs.digest import definition_of
 from simkit.msgs.rostime import TVal
 
 # YAML writes these as they are; anything else is left to PyYAML.
@@ -87,3 +90,34 @@ def _is_plain(text: object) -> bool:
         and _PLAIN_NAME.fullmatch(text) is not None
         and text.lower() not in _YAML_WORDS
     )
+
+
+def message_text(message_type: str) -> str:
+    """The fields of a message, one a line.
+
+    Raises:
+        UnknownNameError: There is no such message type.
+    """
+    return _text(definition_of(message_type), "")
+
+
+def service_text(service_type: str) -> str:
+    """The fields of a request and of its response, `---` between them.
+
+    Raises:
+        UnknownNameError: There is no such service type.
+    """
+    request, response = (
+        _text(parse_definition(text, service_type), "")
+        for text in service_definition_texts(service_type)
+    )
+    return f"{request}---\n{response}"
+
+
+def _text(definition: Definition, indent: str) -> str:
+    lines = [f"{indent}{c.base} {c.name}={c.text}\n" for c in definition.constants]
+    for field in definition.fields:
+        lines.append(f"{indent}{field.type} {field.name}\n")
+        if field.is_message:
+            lines.append(_text(definition_of(field.base), indent + "  "))
+    return "".join(lines)

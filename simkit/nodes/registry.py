@@ -232,7 +232,7 @@ _BUILTIN = (
         package="controller_manager",
         executable="unspawner",
         node_name="unspawner",
-        module="simkit.nodes.controller_manager.unspawner",
+        module="simkit.nodes.controller_manager.spawner",
         class_name="Unspawner",
         anonymous=True,
     ),

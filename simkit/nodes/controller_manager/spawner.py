@@ -11,8 +11,7 @@ from typing import Any, NoReturn
 from simkit.commands.parameter_yaml import load_parameters
 from simkit.graph import Node, ServiceFailed
 from simkit.msgs import message_class
-from simkit.nodes.controller_manager.errand import Errand, run
-from simkit.nodes.controller_manager.services import ManagerClient
+from simkit.nodes.controller_manager.services import BEST_EFFORT, ManagerClient, Routine, run
 from simkit.nodes.program import Program
 
 _LOST = "Controller Spawner couldn't find the expected controller_manager ROS interface."
@@ -72,14 +71,14 @@ class Spawner(Program):
         self._manager = ManagerClient(node, self._options.namespace)
         run(node, self._work())
 
-    def _work(self) -> Errand:
+    def _work(self) -> Routine:
         try:
             yield from self._spawn()
         except ServiceFailed as failure:
             self._node.error(str(failure))
             self._exit(1)
 
-    def _spawn(self) -> Errand:
+    def _spawn(self) -> Routine:
         node, options = self._node, self._options
         if options.shutdown_timeout is not None:
             node.warn("DEPRECATION warning: --shutdown-timeout has no effect.")
@@ -96,7 +95,7 @@ class Spawner(Program):
         node.on_shutdown(self._take_down)
         yield from self._load_and_start()
 
-    def _wait_for_topic(self, topic: str, timeout_s: float | None) -> Errand:
+    def _wait_for_topic(self, topic: str, timeout_s: float | None) -> Routine:
         heard: list[Any] = []
         node = self._node
         node.subscribe(topic, message_class("std_msgs/Bool"), heard.append)
@@ -110,7 +109,7 @@ class Spawner(Program):
                 )
             yield 0.01
 
-    def _load_and_start(self) -> Errand:
+    def _load_and_start(self) -> Routine:
         node, manager = self._node, self._manager
         for name in self._names():
             node.info(f"Loading controller: {name}")
@@ -149,7 +148,7 @@ class Spawner(Program):
         self._node.info("Shutting down spawner. Stopping and unloading controllers...")
         run(self._node, self._take_down_all(), after_shutdown=True)
 
-    def _take_down_all(self) -> Errand:
+    def _take_down_all(self) -> Routine:
         node, manager = self._node, self._manager
         try:
             node.info("Stopping all controllers...")
@@ -161,3 +160,61 @@ class Spawner(Program):
                 node.info(f"Succeeded in unloading {name}")
         except ServiceFailed as failure:
             node.warn(f"Controller Spawner error while taking down controllers: {failure}")
+
+
+USAGE = """\
+./unspawner name1 name2 name3
+
+\tStops a set of controllers until killed.
+\tUseful in roslaunch files to temporarily stop controllers
+"""
+"""What the program prints when it is given no name."""
+EVERY_SECONDS = 3.0
+"""How often it looks whether one of them runs again [s]."""
+
+
+class Unspawner(Program):
+    """The program `unspawner` of the package controller_manager.
+
+    Args:
+        node: Its place in the graph.
+        argv: Names of controllers.
+    """
+
+    def __init__(self, node: Node, argv: list[str]) -> None:
+        super().__init__(node)
+        if not argv or argv[0] in ("-h", "--help"):
+            self._print(USAGE)
+            self._exit(1)
+            return
+        self._names = argv
+        self._inhibited: list[str] = []
+        self._manager = ManagerClient(node)
+        run(node, self._work())
+
+    def _work(self) -> Routine:
+        try:
+            yield from self._inhibit()
+        except ServiceFailed as failure:
+            self._node.error(str(failure))
+            self._exit(1)
+
+    def _inhibit(self) -> Routine:
+        for service in ("list_controllers", "switch_controller"):
+            yield from self._manager.wait_for(service, None)
+        self._node.on_shutdown(lambda: run(self._node, self._start_again(), after_shutdown=True))
+        while True:
+            listed = yield self._manager.list()
+            running = [one.name for one in listed.controller if one.state == "running"]
+            stop = [name for name in running if name in self._names]
+            if stop:
+                self._node.info(f"Inhibiting controllers: {', '.join(stop)}")
+                yield self._manager.switch(stop=stop, strictness=BEST_EFFORT)
+                self._inhibited += [name for name in stop if name not in self._inhibited]
+            yield EVERY_SECONDS
+
+    def _start_again(self) -> Routine:
+        try:
+            yield self._manager.switch(start=self._inhibited, strictness=BEST_EFFORT)
+        except ServiceFailed as failure:
+            self._node.warn(str(failure))

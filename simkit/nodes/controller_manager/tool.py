@@ -8,8 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from simkit.graph import Node, ServiceFailed
-from simkit.nodes.controller_manager.errand import Errand, run
-from simkit.nodes.controller_manager.services import BEST_EFFORT, ManagerClient
+from simkit.nodes.controller_manager.services import BEST_EFFORT, ManagerClient, Routine, run
 from simkit.nodes.program import Program
 
 USAGE = """\
@@ -37,7 +36,7 @@ class ControllerManagerTool(Program):
 
     def __init__(self, node: Node, argv: list[str]) -> None:
         super().__init__(node)
-        commands: dict[str, Callable[[Sequence[str]], Errand]] = {
+        commands: dict[str, Callable[[Sequence[str]], Routine]] = {
             "lt": self._list_types,
             "list-types": self._list_types,
             "lc": self._list,
@@ -59,10 +58,10 @@ class ControllerManagerTool(Program):
         self._manager = ManagerClient(node)
         run(node, self._work(commands[argv[0]](argv[1:])))
 
-    def _work(self, errand: Errand) -> Errand:
+    def _work(self, routine: Routine) -> Routine:
         try:
             yield from self._manager.wait_for("list_controllers", None)
-            yield from errand
+            yield from routine
         except ServiceFailed as failure:
             self._print(f"{failure}\n")
             self._exit(1)
@@ -70,21 +69,21 @@ class ControllerManagerTool(Program):
         self._exit(0)
 
     @staticmethod
-    def _each(*steps: Callable[[str], Errand]) -> Callable[[Sequence[str]], Errand]:
+    def _each(*steps: Callable[[str], Routine]) -> Callable[[Sequence[str]], Routine]:
         """All names for the first step, then all for the second."""
 
-        def errand(names: Sequence[str]) -> Errand:
+        def routine(names: Sequence[str]) -> Routine:
             for step in steps:
                 for name in names:
                     yield from step(name)
 
-        return errand
+        return routine
 
-    def _list_types(self, _words: Sequence[str]) -> Errand:
+    def _list_types(self, _words: Sequence[str]) -> Routine:
         answer = yield self._manager.call("list_controller_types", "ListControllerTypes")
         self._print("".join(f"{one}\n" for one in answer.types))
 
-    def _list(self, _words: Sequence[str]) -> Errand:
+    def _list(self, _words: Sequence[str]) -> Routine:
         answer = yield self._manager.list()
         if not answer.controller:
             self._print("No controllers are loaded in mechanism control\n")
@@ -92,7 +91,7 @@ class ControllerManagerTool(Program):
             kinds = dict.fromkeys(claim.hardware_interface for claim in one.claimed_resources)
             self._print(f"{one.name} - {'+'.join(kinds)} ( {one.state} )\n")
 
-    def _reload(self, words: Sequence[str]) -> Errand:
+    def _reload(self, words: Sequence[str]) -> Routine:
         is_restored = "--restore" in words
         self._print(f"Restore: {is_restored}\n")
         before = (yield self._manager.list()).controller if is_restored else []
@@ -110,21 +109,21 @@ class ControllerManagerTool(Program):
             yield self._manager.switch(start=running, strictness=BEST_EFFORT)
             self._print("Controllers restored to original state\n")
 
-    def _load(self, name: str) -> Errand:
+    def _load(self, name: str) -> Routine:
         answer = yield self._manager.load(name)
         self._print(f"Loaded {name}\n" if answer.ok else f"Error when loading {name}\n")
 
-    def _unload(self, name: str) -> Errand:
+    def _unload(self, name: str) -> Routine:
         answer = yield self._manager.unload(name)
         good = f"Unloaded {name} successfully\n"
         self._print(good if answer.ok else f"Error when unloading {name}\n")
 
-    def _start(self, name: str) -> Errand:
+    def _start(self, name: str) -> Routine:
         answer = yield self._manager.switch(start=[name])
         good = f"Started {[name]} successfully\n"
         self._print(good if answer.ok else f"Error when starting  {[name]}\n")
 
-    def _stop(self, name: str) -> Errand:
+    def _stop(self, name: str) -> Routine:
         answer = yield self._manager.switch(stop=[name])
         good = f"Stopped {[name]} successfully\n"
         self._print(good if answer.ok else f"Error when stopping  {[name]}\n")

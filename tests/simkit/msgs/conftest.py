@@ -10,8 +10,7 @@ from typing import Any
 import pytest
 
 from simkit.msgs import Duration, Message, Time, message_class
-from simkit.msgs.definition import Field
-from simkit.msgs.wire import NUMBER_CODES
+from simkit.msgs.definition import NUMBER_CODES, Field
 
 ALPHABET = "abcXYZ 012_/-.:'\"\\\n#äß€🐢"
 

@@ -7,7 +7,9 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
+from simkit import UnknownNameError
 from simkit.msgs import Duration, Time, message_class, strify_message
+from simkit.msgs.strify import message_text, service_text
 
 String = message_class("std_msgs/String")
 JointState = message_class("sensor_msgs/JointState")
@@ -101,3 +103,32 @@ def test_quoting_agrees_with_yaml(text):
 @given(st.lists(st.text("abzAZ09_/.- 'eE:#yno~", max_size=12), min_size=1, max_size=3))
 def test_lists_of_strings_agree_with_yaml(texts):
     assert strify_message(texts).split("\n")[1:] == yaml.dump(texts).rstrip("\n").split("\n")
+
+
+# -- definition_text
+
+
+def test_nested_messages_are_indented():
+    assert message_text("geometry_msgs/PointStamped") == (
+        "std_msgs/Header header\n"
+        "  uint32 seq\n"
+        "  time stamp\n"
+        "  string frame_id\n"
+        "geometry_msgs/Point point\n"
+        "  float64 x\n"
+        "  float64 y\n"
+        "  float64 z\n"
+    )
+
+
+def test_constants_come_first():
+    assert message_text("rosgraph_msgs/Log").startswith("byte DEBUG=1\nbyte INFO=2\n")
+
+
+def test_a_service_has_two_parts():
+    assert service_text("turtlesim/Kill") == "string name\n---\n"
+
+
+def test_unknown_types():
+    with pytest.raises(UnknownNameError):
+        message_text("geometry_msgs/Twst")
