@@ -127,6 +127,18 @@ def test_the_page_of_the_architecture_says_why_each_library_is_there() -> None:
     )
 
 
+@pytest.mark.parametrize("package", ["simkit", "grader"])
+def test_the_page_of_the_architecture_has_a_row_for_each_folder(package: str) -> None:
+    page = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
+    folders = {path.parent.name for path in (ROOT / package).glob("*/__init__.py")}
+    if package == "simkit":
+        folders.add("ros1")
+    broken_laws(
+        sorted(name for name in folders if f"`{name}/`" not in page),
+        "give it a row in the tables of docs/architecture.md: what it is, and what to read first",
+    )
+
+
 @pytest.mark.parametrize("text", TEXTS)
 def test_links_and_pictures_lead_somewhere(text: str) -> None:
     path = ROOT / text
