@@ -11,11 +11,10 @@ from typing import Any
 from simkit.errors import near_names
 from simkit.graph import Node
 from simkit.physics import Model
-from simkit.plugins.control.gains import read_gains
 from simkit.plugins.control.interfaces import EFFORT, INTERFACES, STATE
 from simkit.plugins.control.joint_drive import JointDrive, JointHandle
 from simkit.plugins.control.limits import limits_of
-from simkit.plugins.control.pid import Pid
+from simkit.plugins.control.pid import Pid, read_gains
 from simkit.plugins.control.transmission import Transmission
 from simkit.urdf import Robot
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from simkit.graph.params import ParameterServer
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Gains:
@@ -69,3 +71,28 @@ class Pid:
         if not gains.antiwindup:
             share = min(max(share, gains.i_min), gains.i_max)
         return gains.p * error + share + gains.d * rate
+
+
+NO_GAIN = "No p gain specified for pid.  Namespace: {namespace}"
+"""What is said where there are none."""
+
+
+def read_gains(params: ParameterServer, namespace: str) -> Gains | None:
+    """The gains in a namespace; None if there is no `p`, or a value is no number."""
+    found = params.get(namespace, {})
+    if not isinstance(found, dict) or not _is_number(found.get("p")):
+        return None
+    numbers = {key: float(value) for key, value in found.items() if _is_number(value)}
+    most = abs(numbers.get("i_clamp", 0.0))
+    return Gains(
+        p=numbers["p"],
+        i=numbers.get("i", 0.0),
+        d=numbers.get("d", 0.0),
+        i_max=numbers.get("i_clamp_max", most),
+        i_min=numbers.get("i_clamp_min", -most),
+        antiwindup=bool(found.get("antiwindup", False)),
+    )
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)

@@ -18,10 +18,9 @@ from simkit.plugins.control.controllers.forward import (
     is_finite,
     joint_name,
 )
-from simkit.plugins.control.gains import NO_GAIN, read_gains
 from simkit.plugins.control.joint_drive import JointHandle, position_error
 from simkit.plugins.control.limits import JointLimits
-from simkit.plugins.control.pid import Pid
+from simkit.plugins.control.pid import NO_GAIN, Pid, read_gains
 from simkit.plugins.control.place import InitError, Place
 from simkit.urdf import Joint
 

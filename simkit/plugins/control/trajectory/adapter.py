@@ -8,10 +8,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Protocol
 
-from simkit.plugins.control.gains import NO_GAIN, read_gains
 from simkit.plugins.control.interfaces import POSITION
 from simkit.plugins.control.joint_drive import JointHandle
-from simkit.plugins.control.pid import Gains, Pid
+from simkit.plugins.control.pid import NO_GAIN, Gains, Pid, read_gains
 from simkit.plugins.control.place import Place
 from simkit.plugins.control.trajectory.spline import State
 

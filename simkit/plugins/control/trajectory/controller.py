@@ -18,11 +18,16 @@ from simkit.plugins.control.trajectory import goals
 from simkit.plugins.control.trajectory.adapter import make_adapter
 from simkit.plugins.control.trajectory.command import TrajectoryCommand, TrajectoryRefused
 from simkit.plugins.control.trajectory.reading import fill_states, read_command, read_tolerances
-from simkit.plugins.control.trajectory.replacement import Instant, Joints, replace_trajectories
+from simkit.plugins.control.trajectory.replacement import (
+    Instant,
+    Joints,
+    hold,
+    replace_trajectories,
+    stop,
+)
 from simkit.plugins.control.trajectory.segment import Trajectory, find_segment, sample
 from simkit.plugins.control.trajectory.settings import read_settings
 from simkit.plugins.control.trajectory.spline import State
-from simkit.plugins.control.trajectory.stopping import hold, stop
 
 _NO_JOINT = "Could not find joint '{joint}' in '{interface}'."
 _ACTION = "control_msgs/FollowJointTrajectory"
