@@ -6,8 +6,11 @@ import weakref
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from simkit.errors import UnknownNameError
 from simkit.graph.names import free_name
 from simkit.graph.process import Permissions
+from simkit.nodes import builtin_nodes
+from simkit.packages import PackagePath
 from simkit.simulation.gazebo_starter import GZSERVER
 
 if TYPE_CHECKING:
@@ -117,3 +120,27 @@ class Launcher:
 
         for line in robot_lines(plan, self._sim.packages, self._sim.graph):
             launch.say(line)
+
+
+def find_script(packages: PackagePath, package: str, executable: str) -> tuple[Path, str]:
+    """The script that `rosrun` means, and how to show its path.
+
+    Args:
+        packages: Where packages are.
+        package: Package name.
+        executable: File name of the script.
+
+    Raises:
+        UnknownNameError: No such package, or no such executable in it; names near ones.
+    """
+    builtin_packages = {name for name, _ in builtin_nodes()}
+    try:
+        found = packages.find(package)
+    except UnknownNameError as error:
+        known = sorted({*error.known, *builtin_packages})
+        if package in builtin_packages:
+            programs = [program for name, program in builtin_nodes() if name == package]
+            raise UnknownNameError(f"program in {package!r}", executable, programs) from None
+        raise UnknownNameError("package", package, known) from None
+    path = found.find_executable(executable)
+    return path, path.relative_to(found.folder.parent).as_posix()

@@ -7,7 +7,6 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from simkit.errors import UnknownNameError
 from simkit.graph import Executor, Graph, LogRecord
 from simkit.graph.errors import GraphError
 from simkit.graph.executor import nanoseconds
@@ -29,7 +28,7 @@ from simkit.simulation import open_simulations
 from simkit.simulation.delegate import delegate
 from simkit.simulation.gazebo_starter import GZSERVER, GazeboStarter
 from simkit.simulation.graph_client import GraphClient
-from simkit.simulation.launcher import Launcher
+from simkit.simulation.launcher import Launcher, find_script
 from simkit.simulation.plots import Plots
 from simkit.simulation.recorder import Recorder
 from simkit.simulation.view import View
@@ -188,7 +187,7 @@ class Simulation:
             builtin = RunningBuiltin(self.graph, definition, named, self.packages)
             self.builtins.append(builtin)
             return builtin
-        script, shown_path = self._find_script(package, executable)
+        script, shown_path = find_script(self.packages, package, executable)
         spec = StartSpec(
             script=str(script),
             shown_path=shown_path,
@@ -288,17 +287,3 @@ class Simulation:
         """
         if self._closed:
             raise GraphError("this simulation is closed; make a new one: sim = Simulation()")
-
-    def _find_script(self, package: str, executable: str) -> tuple[Path, str]:
-        """A script file, and how to show its path."""
-        builtin_packages = {name for name, _ in builtin_nodes()}
-        try:
-            found = self.packages.find(package)
-        except UnknownNameError as error:
-            known = sorted({*error.known, *builtin_packages})
-            if package in builtin_packages:
-                programs = [program for name, program in builtin_nodes() if name == package]
-                raise UnknownNameError(f"program in {package!r}", executable, programs) from None
-            raise UnknownNameError("package", package, known) from None
-        path = found.find_executable(executable)
-        return path, path.relative_to(found.folder.parent).as_posix()
