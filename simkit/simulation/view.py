@@ -19,11 +19,11 @@ if TYPE_CHECKING:
         FramesPicture,
         LiveRviz,
         LiveWorld,
-        RvizEars,
         RvizReplay,
         RvizSettings,
         RvizView,
         SceneSource,
+        TopicListeners,
         TurtlesimView,
         WorldView,
     )
@@ -41,7 +41,7 @@ class View:
         self._sim: Simulation = weakref.proxy(sim)
         self._refreshers: list[Callable[[], None]] = []
         self._closers: list[Callable[[], None]] = []
-        self._ears: RvizEars | None = None
+        self._listeners: TopicListeners | None = None
 
     def add(self, refresh: Callable[[], None], close: Callable[[], None] | None = None) -> None:
         """Keep a view up to date from now on.
@@ -261,12 +261,12 @@ class View:
             settings: What is to be seen.
             with_room: Whether the scene has room for more than there is now.
         """
-        from simkit.viz import RvizEars, SceneSource
+        from simkit.viz import SceneSource, TopicListeners
 
-        self._ears = self._ears or RvizEars(self._sim.node, self._sim.tf)
+        self._listeners = self._listeners or TopicListeners(self._sim.node, self._sim.tf)
         return SceneSource(
             settings,
-            ears=self._ears,
+            listeners=self._listeners,
             buffer=self._sim.tf,
             parameters=self._sim.graph.params,
             packages=self._sim.packages,

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from simkit.viz.replay import RvizReplay, WorldReplay
     from simkit.viz.stage.rviz_settings import RvizSettings, display_of, displays_of, robot_displays
     from simkit.viz.stage.rviz_source import SceneSource
-    from simkit.viz.stage.topic_listener import RvizEars
+    from simkit.viz.stage.topic_listener import TopicListeners
     from simkit.viz.stage.world_scene import WorldSettings
     from simkit.viz.stage.world_source import WorldSource
     from simkit.viz.trees.frames import FramesPicture
@@ -45,12 +45,12 @@ __all__ = [
     "ModelRecording",
     "PathPlot",
     "RobotTree",
-    "RvizEars",
     "RvizReplay",
     "RvizSettings",
     "RvizView",
     "SceneSource",
     "TeleopPad",
+    "TopicListeners",
     "TrackingPlot",
     "TrajectorySliders",
     "TransformPlot",
@@ -79,7 +79,7 @@ _HOMES = {
     "ModelRecording": "plots.model_recording",
     "PathPlot": "plots.paths",
     "RobotTree": "trees.robot",
-    "RvizEars": "stage.topic_listener",
+    "TopicListeners": "stage.topic_listener",
     "RvizReplay": "replay",
     "RvizSettings": "stage.rviz_settings",
     "RvizView": "view",

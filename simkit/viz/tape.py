@@ -9,7 +9,7 @@ from typing import Any, Final
 from simkit.tf import Buffer
 from simkit.viz.stage.marks import Marks, moment_data
 from simkit.viz.stage.rviz_settings import OdometryDisplay, TopicDisplay
-from simkit.viz.stage.topic_listener import DisplayEar
+from simkit.viz.stage.topic_listener import DisplayListener
 from simkit.viz.stage.topic_marks import NOTHING, Shown, display_marks
 
 MOST_POINTS: Final = 200_000
@@ -41,7 +41,9 @@ class TopicTape:
         self, displays: Sequence[TopicDisplay], *, buffer: Buffer, fixed_frame: str
     ) -> None:
         self._displays = displays
-        self._ears = [DisplayEar(one, buffer=buffer, fixed_frame=fixed_frame) for one in displays]
+        self._listeners = [
+            DisplayListener(one, buffer=buffer, fixed_frame=fixed_frame) for one in displays
+        ]
         self._moments: list[list[tuple[float, Shown]]] = [[] for _ in displays]
         self._last = [NOTHING] * len(displays)
 
@@ -52,21 +54,21 @@ class TopicTape:
 
     def hear(self, topic: str, message: Any) -> None:
         """Take a message."""
-        for display, ear in zip(self._displays, self._ears, strict=True):
+        for display, listener in zip(self._displays, self._listeners, strict=True):
             if display.topic == topic:
-                ear.hear(message)
+                listener.hear(message)
 
     def look(self, time: float) -> None:
         """Keep what is to be seen at a time [s]."""
-        for number, ear in enumerate(self._ears):
-            shown, last = ear.look(), self._last[number]
+        for number, listener in enumerate(self._listeners):
+            shown, last = listener.look(), self._last[number]
             if shown is not last:
                 self._moments[number].append((time, _news(shown, last)))
                 self._last[number] = shown
 
     def troubles(self) -> tuple[str, ...]:
         """What could not be shown at the end."""
-        return tuple(trouble for ear in self._ears if (trouble := ear.trouble()))
+        return tuple(trouble for listener in self._listeners if (trouble := listener.trouble()))
 
     def tracks(self) -> tuple[TopicTrack, ...]:
         """What was kept."""

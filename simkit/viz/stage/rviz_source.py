@@ -17,7 +17,7 @@ from simkit.viz.stage.robot import RobotShapes, robot_shapes, together
 from simkit.viz.stage.robot_room import robot_room
 from simkit.viz.stage.rviz_settings import DESCRIPTION, RobotDisplay, RvizSettings
 from simkit.viz.stage.scene import Scene, make_scene
-from simkit.viz.stage.topic_listener import RvizEars
+from simkit.viz.stage.topic_listener import TopicListeners
 
 _MOST: Final = 6
 "So many faults of a robot that is refused are told."
@@ -92,7 +92,7 @@ class SceneSource:
         parameters: The parameter server, with the descriptions of the robots.
         packages: Where `package://` leads.
         with_room: Whether the camera leaves room for links that turn.
-        ears: What was said on the topics that are shown; without it, none are.
+        listeners: What was said on the topics that are shown; without it, none are.
     """
 
     def __init__(
@@ -103,11 +103,11 @@ class SceneSource:
         parameters: ParameterServer,
         packages: PackagePath,
         with_room: bool = False,
-        ears: RvizEars | None = None,
+        listeners: TopicListeners | None = None,
     ) -> None:
         self.settings = settings
         self._buffer, self._parameters, self._packages = buffer, parameters, packages
-        self._with_room, self._ears = with_room, ears
+        self._with_room, self._listeners = with_room, listeners
         self._described: object = ()
         self._robot: RobotShapes | None = None
         self._room: dict[str, tuple[Vector, ...]] = {}
@@ -147,14 +147,14 @@ class SceneSource:
 
     def marks(self) -> tuple[Marks, ...]:
         """What the displays of topics draw now."""
-        if self._ears is None:
+        if self._listeners is None:
             return ()
-        return self._ears.marks(self.settings.topics, self.fixed_frame)
+        return self._listeners.marks(self.settings.topics, self.fixed_frame)
 
     def _troubles(self) -> tuple[str, ...]:
-        if self._ears is None:
+        if self._listeners is None:
             return ()
-        return self._ears.troubles(self.settings.topics, self.fixed_frame)
+        return self._listeners.troubles(self.settings.topics, self.fixed_frame)
 
     def robot(self) -> RobotShapes | None:
         """The robot that is described now; None if there is none."""

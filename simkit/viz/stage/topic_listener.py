@@ -37,7 +37,7 @@ _COMPARED = 200
 "So many names are searched for a near one."
 
 
-class DisplayEar:
+class DisplayListener:
     """What one display knows.
 
     Args:
@@ -179,8 +179,8 @@ def _angle(a: Quaternion, b: Quaternion) -> float:
     return 2.0 * math.acos(min(1.0, abs(dot) / (math.hypot(*a) * math.hypot(*b))))
 
 
-class RvizEars:
-    """An ear for each display and fixed frame.
+class TopicListeners:
+    """A listener for each display and fixed frame.
 
     Args:
         node: The node that listens.
@@ -189,7 +189,7 @@ class RvizEars:
 
     def __init__(self, node: Node, buffer: Buffer) -> None:
         self._node, self._buffer = node, buffer
-        self._ears: dict[tuple[TopicDisplay, str], DisplayEar] = {}
+        self._listeners: dict[tuple[TopicDisplay, str], DisplayListener] = {}
 
     def marks(self, displays: Iterable[TopicDisplay], fixed_frame: str) -> tuple[Marks, ...]:
         """What the displays draw now.
@@ -199,7 +199,7 @@ class RvizEars:
             fixed_frame: The frame that everything is drawn in.
         """
         return tuple(
-            display_marks(display, number, self._ear(display, fixed_frame).look())
+            display_marks(display, number, self._listener(display, fixed_frame).look())
             for number, display in enumerate(displays)
         )
 
@@ -210,11 +210,11 @@ class RvizEars:
             displays: What is shown.
             fixed_frame: The frame that everything is drawn in.
         """
-        found = [(one.topic, self._ear(one, fixed_frame)) for one in displays]
+        found = [(one.topic, self._listener(one, fixed_frame)) for one in displays]
         return tuple(
-            f"{trouble}{self._why_silent(topic) if ear.is_silent else ''}"
-            for topic, ear in found
-            if (trouble := ear.trouble())
+            f"{trouble}{self._why_silent(topic) if listener.is_silent else ''}"
+            for topic, listener in found
+            if (trouble := listener.trouble())
         )
 
     def _why_silent(self, topic: str) -> str:
@@ -223,23 +223,23 @@ class RvizEars:
             return " Nobody publishes this topic."
         return " It is listened to from the first view of it on: sim.run(0.2), and look again."
 
-    def _ear(self, display: TopicDisplay, fixed_frame: str) -> DisplayEar:
-        ear = self._ears.get((display, fixed_frame))
-        if ear is None:
-            ear = DisplayEar(display, buffer=self._buffer, fixed_frame=fixed_frame)
-            self._ears[display, fixed_frame] = ear
-            self._listen(display, ear)
-        return ear
+    def _listener(self, display: TopicDisplay, fixed_frame: str) -> DisplayListener:
+        listener = self._listeners.get((display, fixed_frame))
+        if listener is None:
+            listener = DisplayListener(display, buffer=self._buffer, fixed_frame=fixed_frame)
+            self._listeners[display, fixed_frame] = listener
+            self._listen(display, listener)
+        return listener
 
-    def _listen(self, display: TopicDisplay, ear: DisplayEar) -> None:
+    def _listen(self, display: TopicDisplay, listener: DisplayListener) -> None:
         cls: type[Message] = message_class(display.type_name)
         graph = self._node.graph
         known = graph.topics.get(display.topic)
         if known is not None and known.last and known.message_class._type == display.type_name:
-            ear.hear(cls.from_bytes(known.last))
+            listener.hear(cls.from_bytes(known.last))
         graph.add_subscription(
             display.topic,
             cls,
             self._node.name,
-            lambda data, _caller: ear.hear(cls.from_bytes(data)),
+            lambda data, _caller: listener.hear(cls.from_bytes(data)),
         )

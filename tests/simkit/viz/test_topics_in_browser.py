@@ -12,7 +12,7 @@ from simkit.graph import Executor, Graph
 from simkit.graph.params import ParameterServer
 from simkit.msgs import Time, message_class
 from simkit.packages import PackagePath
-from simkit.viz import LiveRviz, RvizEars, RvizReplay, RvizSettings, RvizView, SceneSource
+from simkit.viz import LiveRviz, RvizReplay, RvizSettings, RvizView, SceneSource, TopicListeners
 from simkit.viz.stage.marks import moment_data
 from simkit.viz.stage.rviz_settings import LaserScanDisplay, OdometryDisplay, PathDisplay
 
@@ -69,7 +69,7 @@ class Robot:
             buffer=buffer,
             parameters=ParameterServer(),
             packages=PackagePath([]),
-            ears=RvizEars(self._graph.create_node("/simkit"), buffer),
+            listeners=TopicListeners(self._graph.create_node("/simkit"), buffer),
         )
         self.source.marks()
 
