@@ -31,7 +31,7 @@ def test_each_command_is_a_line_of_a_notebook_or_says_why_not(name):
         assert LINES[name].__doc__
 
 
-@pytest.mark.parametrize("name", set(COMMANDS) & set(dir(Simulation)))
+@pytest.mark.parametrize("name", sorted(set(COMMANDS) & set(dir(Simulation))))
 def test_a_method_and_the_command_of_its_name_refuse_with_the_same_words(sim, name):
     words = ["play", "nothing.launch" if name == "roslaunch" else "nothing.py"]
     with pytest.raises(Exception) as of_method:
