@@ -68,7 +68,7 @@ run = parsed("rosversion", add_arguments, _answer)
 COMMAND_TEST = """def test_it_is_noetic(simkit):
     assert simkit("rosversion", "-d") == (0, "noetic\\n", "")
 """
-RULE = '''@rule("URDF-I90", "a robot that is named robot", Severity.NOTE)
+RULE = '''@rule("URDF-I49", "a robot that is named robot", Severity.NOTE)
 def robot_named_robot(sheet: Sheet) -> Iterator[Find]:
     """A robot that is named robot.
 
@@ -228,10 +228,10 @@ def test_a_rule(tree: Any) -> None:
     tree.insert(
         "tests/simkit/urdf/faults/faults.toml",
         "[[fault]]",
-        '[[fault]]\nfile = "robot_named_robot.urdf"\nrule = "URDF-I90"\nseverity = "note"\n'
+        '[[fault]]\nfile = "robot_named_robot.urdf"\nrule = "URDF-I49"\nseverity = "note"\n'
         'at = [1, 14]\nremedy = ["mower"]\nmend = [[\'name="robot"\', \'name="mower"\']]\n\n',
     )
-    tree.prove("a rule", ID="URDF-I90", NAME="robot_named_robot")
+    tree.prove("a rule", ID="URDF-I49", NAME="robot_named_robot")
 
 
 def test_a_plugin(tree: Any) -> None:
