@@ -76,6 +76,7 @@ def test_it_is_saved_as_page_and_picture(sim, cart, tmp_path):
 def test_a_live_view_tells_where_links_and_contacts_are_now(sim, cart):
     source = WorldSource(sim.gazebo, WorldSettings(contacts=True), is_live=True)
     live = LiveWorld(source, is_over=lambda: not sim.gazebo.node.alive)
+    assert live.url  # starts the server, which tells the news
     first = live._news.state
     cart.model.set_pose(cart.model.pose._replace(translation=(0.1, 0.0, 0.3)))
     sim.run(0.001)
