@@ -15,7 +15,7 @@ from simkit.commands.errors import (
     ToolError,
     UsageError,
 )
-from simkit.commands.table import COMMANDS, Entry, Place
+from simkit.commands.table import COMMANDS, Entry, TerminalPlace
 from simkit.errors import SimkitError, near_names
 
 
@@ -80,11 +80,11 @@ def _run(entry: Entry, words: Sequence[str]) -> int:
 
 
 def _do(entry: Entry, words: Sequence[str]) -> int:
-    if entry.place is Place.HERE:
+    if entry.place is TerminalPlace.HERE:
         return _show(entry.load()(Call(words=words)))
     from simkit.cli import sharing  # with the graph and all: more than a look at a message needs
 
-    if entry.place is Place.HOSTED:
+    if entry.place is TerminalPlace.HOSTED:
         return sharing.run_hosted(entry, words)
     if words and words[0] in ("-h", "--help"):
         print(f"usage: simkit {entry.name} COMMAND [ARGUMENTS]\n\n{entry.summary}\n")

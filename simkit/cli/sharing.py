@@ -16,7 +16,7 @@ from simkit.commands.graph_facts import nodes
 from simkit.commands.parser import LineParser
 from simkit.commands.rosrun import LAST_WORDS
 from simkit.commands.run_options import take_options, wants_own_simulation
-from simkit.commands.table import COMMANDS, Entry, Place
+from simkit.commands.table import COMMANDS, Entry, TerminalPlace
 from simkit.diagnostics import Layout
 from simkit.errors import SimkitError
 from simkit.live import Host, Job, Session, SessionError, call, find_session
@@ -115,7 +115,7 @@ def host(sim: Simulation, until: Callable[[], bool]) -> bool:
     joinable = {
         name: lambda call, entry=entry: entry.load()(call)
         for name, entry in COMMANDS.items()
-        if entry.place is Place.SHARED or name in _JOINABLE
+        if entry.place is TerminalPlace.SHARED or name in _JOINABLE
     }
     with interrupt.caught():
         Host(sim, joinable).serve(lambda: interrupt.came or until())

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from simkit.simulation import Simulation
 
 
-class Place(Enum):
+class TerminalPlace(Enum):
     """Where a command is done that is typed in a terminal."""
 
     HERE = "in this process; no simulation is needed"
@@ -43,7 +43,7 @@ class Entry:
     """Module of its function."""
     function: str = "run"
     """Name of the function there."""
-    place: Place = Place.HERE
+    place: TerminalPlace = TerminalPlace.HERE
     """Where it is done."""
     not_in_notebook: str = ""
     """Why it is no line of a notebook; empty if it is one."""
@@ -68,21 +68,21 @@ _ENTRIES = (
         summary="run a node of a package",
         group=_RUN,
         module="simkit.commands.rosrun",
-        place=Place.HOSTED,
+        place=TerminalPlace.HOSTED,
     ),
     Entry(
         name="roslaunch",
         summary="start the nodes of a launch file",
         group=_RUN,
         module="simkit.commands.roslaunch",
-        place=Place.HOSTED,
+        place=TerminalPlace.HOSTED,
     ),
     Entry(
         name="roscore",
         summary="begin a simulation with nothing in it",
         group=_RUN,
         module="simkit.commands.roscore",
-        place=Place.HOSTED,
+        place=TerminalPlace.HOSTED,
         not_in_notebook="a notebook has a simulation from its first line on",
     ),
     Entry(
@@ -90,28 +90,28 @@ _ENTRIES = (
         summary="list, echo, publish topics",
         group=_ASK,
         module="simkit.commands.rostopic",
-        place=Place.SHARED,
+        place=TerminalPlace.SHARED,
     ),
     Entry(
         name="rosnode",
         summary="list, inspect, end nodes",
         group=_ASK,
         module="simkit.commands.rosnode",
-        place=Place.SHARED,
+        place=TerminalPlace.SHARED,
     ),
     Entry(
         name="rosservice",
         summary="list and call services",
         group=_ASK,
         module="simkit.commands.rosservice",
-        place=Place.SHARED,
+        place=TerminalPlace.SHARED,
     ),
     Entry(
         name="rosparam",
         summary="get and set parameters",
         group=_ASK,
         module="simkit.commands.rosparam",
-        place=Place.SHARED,
+        place=TerminalPlace.SHARED,
     ),
     Entry(
         name="check_urdf",

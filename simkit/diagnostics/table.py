@@ -33,7 +33,7 @@ Explorer: TypeAlias = Callable[[Any], Iterable["Find"]]
 """A generator that looks for one kind of fault."""
 
 
-class Source(Protocol):
+class FaultyFile(Protocol):
     """A file that faults are found in."""
 
     @property
@@ -80,7 +80,7 @@ class Find:
     """The element that it is about, where `at` is none."""
     related: Iterable[tuple[At, str] | Related] = field(default=(), kw_only=True)
     """Other places that belong to it, with what is there."""
-    companion: Source | None = field(default=None, kw_only=True)
+    companion: FaultyFile | None = field(default=None, kw_only=True)
     """The file that it is in; None for the one that is looked at."""
 
     @property
@@ -117,7 +117,7 @@ class Rule:
         """What the fault is, how it comes about, what to do, with an example: for `--explain`."""
         return cleandoc(self.text)
 
-    def diagnostic(self, find: Find, source: Source) -> Diagnostic:
+    def diagnostic(self, find: Find, source: FaultyFile) -> Diagnostic:
         """A find with the words of the row.
 
         Args:
@@ -202,7 +202,7 @@ def place(at: At) -> Span:
     return at.value_span if isinstance(at, Attribute) else at.span
 
 
-def related(at: At, text: str, source: Source) -> Related:
+def related(at: At, text: str, source: FaultyFile) -> Related:
     """A second place that belongs to a find.
 
     Args:
@@ -214,5 +214,5 @@ def related(at: At, text: str, source: Source) -> Related:
     return Related(file=source.file, span=span, text=text, source=source.line(span.line))
 
 
-def _related(one: tuple[At, str] | Related, source: Source) -> Related:
+def _related(one: tuple[At, str] | Related, source: FaultyFile) -> Related:
     return one if isinstance(one, Related) else related(*one, source)

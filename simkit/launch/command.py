@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from simkit.launch.files import Files
-from simkit.launch.refusal import Kind, Lesson, Refused
+from simkit.launch.refusal import Kind, LaunchRefused, Lesson
 from simkit.launch.rules import COMMAND
 
 _XACRO_TAG = re.compile(r"<\s*xacro:|\$\{|\$\((?:arg|find|eval|env|optenv|dirname|cwd)\b")
@@ -52,7 +52,7 @@ def output_of(command: str, *, parameter: str, files: Files) -> CommandOutput:
         lesson = Lesson(
             rule=COMMAND, what=f"{command}: {error}", remedy="Close the quotation mark."
         )
-        raise Refused(Kind.VALUE, str(error), lesson) from None
+        raise LaunchRefused(Kind.VALUE, str(error), lesson) from None
     return _Command(words, parameter, files).output()
 
 
@@ -120,21 +120,21 @@ class _Command:
             raise self._fails(1, what, "Name one file, and load it as it is.")
         try:
             return self._files.read_text(name)
-        except Refused as refused:
+        except LaunchRefused as refused:
             if refused.kind is Kind.OURS:
                 raise
             raise self._fails(1, refused.lesson.what, refused.lesson.remedy) from None
 
-    def _fails(self, code: int, what: str, remedy: str) -> Refused:
+    def _fails(self, code: int, what: str, remedy: str) -> LaunchRefused:
         words = f"command [{self._words}] returned with code [{code}]"
         return self._refused(words, what, remedy)
 
-    def _not_understood(self, program: str) -> Refused:
+    def _not_understood(self, program: str) -> LaunchRefused:
         what = f"the program {program!r} is not run: simkit runs none from a launch file"
         return self._refused(
             f"no such command [{self._words}]", what, f"What is understood: {UNDERSTOOD}."
         )
 
-    def _refused(self, words: str, what: str, remedy: str) -> Refused:
+    def _refused(self, words: str, what: str, remedy: str) -> LaunchRefused:
         text = f"Cannot load command parameter [{self._parameter}]: {words}"
-        return Refused(Kind.VALUE, text, Lesson(rule=COMMAND, what=what, remedy=remedy))
+        return LaunchRefused(Kind.VALUE, text, Lesson(rule=COMMAND, what=what, remedy=remedy))

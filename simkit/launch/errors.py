@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from simkit.diagnostics import Diagnostic, Layout, Related, Severity, as_text
 from simkit.errors import SimkitError
-from simkit.launch.refusal import Elsewhere, Lesson, Place, Refused
+from simkit.launch.refusal import Elsewhere, LaunchPlace, LaunchRefused, Lesson
 from simkit.xml import Span
 
 
@@ -73,7 +73,9 @@ class LaunchError(SimkitError, ValueError):
         return f"{self.said}\n{explained}" if self.said else explained
 
 
-def diagnostic_of(lesson: Lesson, place: Place, severity: Severity = Severity.ERROR) -> Diagnostic:
+def diagnostic_of(
+    lesson: Lesson, place: LaunchPlace, severity: Severity = Severity.ERROR
+) -> Diagnostic:
     """A lesson as a diagnostic.
 
     Args:
@@ -94,7 +96,7 @@ def diagnostic_of(lesson: Lesson, place: Place, severity: Severity = Severity.ER
     )
 
 
-def error_of(refused: Refused, shown: str) -> LaunchError:
+def error_of(refused: LaunchRefused, shown: str) -> LaunchError:
     """The error for a fault that nobody has caught.
 
     Args:
@@ -118,7 +120,7 @@ def error_of(refused: Refused, shown: str) -> LaunchError:
     return LaunchError(refused.said, without_place)
 
 
-def _in_other_file(lesson: Lesson, elsewhere: Elsewhere, place: Place | None) -> Diagnostic:
+def _in_other_file(lesson: Lesson, elsewhere: Elsewhere, place: LaunchPlace | None) -> Diagnostic:
     related: list[Related] = []
     if place is not None:
         related = [_related(place, "loaded here")]
@@ -135,7 +137,7 @@ def _in_other_file(lesson: Lesson, elsewhere: Elsewhere, place: Place | None) ->
     )
 
 
-def _related(place: Place, text: str) -> Related:
+def _related(place: LaunchPlace, text: str) -> Related:
     document = place.launch_file.document
     return Related(
         file=document.file, span=place.span, text=text, source=document.line(place.span.line)

@@ -13,10 +13,10 @@ from simkit.launch.errors import LaunchError, error_of
 from simkit.launch.files import Files
 from simkit.launch.launch_file import LaunchFile, read_launch_file
 from simkit.launch.plan import TEXT_NAME, LaunchPlan
-from simkit.launch.refusal import Kind, Lesson, Place, Refused
+from simkit.launch.refusal import Kind, LaunchPlace, LaunchRefused, Lesson
 from simkit.launch.rules import UNUSED_ARGUMENT, USE_GUI
 from simkit.launch.scope import Scope
-from simkit.launch.state import State
+from simkit.launch.state import LaunchState
 from simkit.launch.substitution import Substitution
 from simkit.launch.walk import open_launch_file, walk
 from simkit.packages import PackagePath
@@ -53,14 +53,14 @@ def evaluate(
         environment=environment,
         anonymous=anonymous or _Numbered().name,
     )
-    state = State(files=files, budget=budget, substitution=substitution)
+    state = LaunchState(files=files, budget=budget, substitution=substitution)
     return _Evaluation(state, dict(arguments or {})).plan(source)
 
 
 class _Evaluation:
     """One evaluation: keeps the first file at hand, for faults that have no other place."""
 
-    def __init__(self, state: State, arguments: dict[str, str]) -> None:
+    def __init__(self, state: LaunchState, arguments: dict[str, str]) -> None:
         self._state = state
         self._arguments = arguments
         self._launch_file: LaunchFile | None = None
@@ -71,7 +71,7 @@ class _Evaluation:
         try:
             self._launch_file, root = self._opened(name, str(source) if is_text else None)
             return self._walked(root, self._launch_file)
-        except Refused as refused:
+        except LaunchRefused as refused:
             raise self._error(refused, name) from None
 
     def _opened(self, name: str, text: str | None) -> tuple[LaunchFile, Element]:
@@ -107,7 +107,7 @@ class _Evaluation:
         )
 
     def _teach_arguments(self, scope: Scope, root: Element, launch_file: LaunchFile) -> None:
-        place = Place(launch_file=launch_file, span=root.span)
+        place = LaunchPlace(launch_file=launch_file, span=root.span)
         for name in self._arguments:
             if name not in scope.declared:
                 declared = ", ".join(scope.declared) or "none"
@@ -131,7 +131,7 @@ class _Evaluation:
             lesson = Lesson(rule=USE_GUI, what=what, remedy=remedy)
             self._state.teach(lesson, self._state.places[used[-1]], Severity.NOTE)
 
-    def _error(self, refused: Refused, name: str) -> LaunchError:
+    def _error(self, refused: LaunchRefused, name: str) -> LaunchError:
         if refused.kind is Kind.ARGUMENT:
             words = f"[{name}] requires the '{refused.text}' arg to be set"
             refused = refused.worded(Kind.SYNTAX, words)

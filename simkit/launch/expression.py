@@ -19,7 +19,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from simkit.launch.budget import MAX_STRING
-from simkit.launch.refusal import Kind, Lesson, Refused, ours
+from simkit.launch.refusal import Kind, LaunchRefused, Lesson, ours
 from simkit.launch.rules import SUBSTITUTION
 
 MAX_LENGTH = 2000
@@ -91,13 +91,15 @@ def evaluate_expression(
     """
     if "__" in text:
         words = "$(eval ...) may not contain double underscore expressions"
-        raise Refused(Kind.SUBSTITUTION, words, _lesson("two underscores in a row are not allowed"))
+        raise LaunchRefused(
+            Kind.SUBSTITUTION, words, _lesson("two underscores in a row are not allowed")
+        )
     if len(text) > MAX_LENGTH:
         raise _beyond(f"an expression of {len(text)} characters")
     calculator = _Calculator(arguments, functions)
     try:
         value = str(calculator.value(_parsed(text)))
-    except Refused:
+    except LaunchRefused:
         raise
     except (ArithmeticError, TypeError, ValueError, LookupError, RecursionError) as error:
         raise _python_says(error) from None
@@ -152,7 +154,7 @@ class _Calculator:
             lesson = Lesson(
                 rule=SUBSTITUTION, what=what, remedy=f'Declare it: <arg name="{name}" ...>.'
             )
-            raise Refused(Kind.OTHER, words, lesson, name="NameError") from None
+            raise LaunchRefused(Kind.OTHER, words, lesson, name="NameError") from None
 
     def _called(self, name: str, arguments: list[Any]) -> Any:
         if name not in self._functions:
@@ -216,7 +218,7 @@ def _require_small(function: Callable[[Any, Any], Any], left: Any, right: Any) -
         raise _beyond("so wide a field")
 
 
-def _python_says(error: BaseException) -> Refused:
+def _python_says(error: BaseException) -> LaunchRefused:
     """What Python says, in the kind that roslaunch's handlers take it for."""
     name = type(error).__name__
     kind = Kind.OTHER
@@ -224,7 +226,7 @@ def _python_says(error: BaseException) -> Refused:
         kind = Kind.VALUE
     if isinstance(error, KeyError):
         kind = Kind.KEY
-    return Refused(kind, str(error), _lesson(str(error)), name=name)
+    return LaunchRefused(kind, str(error), _lesson(str(error)), name=name)
 
 
 def _lesson(what: str) -> Lesson:
@@ -235,7 +237,7 @@ def _lesson(what: str) -> Lesson:
     )
 
 
-def _beyond(what: str) -> Refused:
+def _beyond(what: str) -> LaunchRefused:
     return ours(
         SUBSTITUTION,
         f"{what} is not possible in $(eval ...) here",

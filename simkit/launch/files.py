@@ -8,7 +8,7 @@ from pathlib import Path
 from simkit.errors import UnknownNameError
 from simkit.launch.budget import MAX_FILE_BYTES, Budget
 from simkit.launch.file_search import KNOWN, how_to_name, torn_find
-from simkit.launch.refusal import Kind, Lesson, Refused, ours
+from simkit.launch.refusal import Kind, LaunchRefused, Lesson, ours
 from simkit.launch.rules import FILE, SUBSTITUTION
 from simkit.nodes import builtin_nodes
 from simkit.packages import Package, PackageError, PackagePath
@@ -57,7 +57,7 @@ class Files:
         if name == XACRO or (name.isidentifier() and (KNOWN / name).is_dir()):
             return KNOWN / name
         places = "".join(f"\nROS path [{n}]={path}" for n, path in enumerate(self.path.folders))
-        raise Refused(Kind.NOT_FOUND, f"{name}{places}", self._no_package(name))
+        raise LaunchRefused(Kind.NOT_FOUND, f"{name}{places}", self._no_package(name))
 
     def read(self, name: str, limit: int = MAX_FILE_BYTES) -> bytes:
         """The bytes of a file.
@@ -99,7 +99,7 @@ class Files:
                 what=f"{self.shown(name)} is not a text in UTF-8",
                 remedy="Save it with the encoding UTF-8.",
             )
-            raise Refused(Kind.VALUE, str(error), lesson) from None
+            raise LaunchRefused(Kind.VALUE, str(error), lesson) from None
         return text.replace("\r\n", "\n").replace("\r", "\n")
 
     def may_read(self, name: str | Path) -> bool:
@@ -143,7 +143,7 @@ class Files:
         remedy = how_to_name(name, self.packages.values(), may_read=self.may_read)
         return Lesson(rule=FILE, what=f"there is no file {self.shown(name)!r}", remedy=remedy)
 
-    def _unreadable(self, name: str, error: OSError | ValueError) -> Refused:
+    def _unreadable(self, name: str, error: OSError | ValueError) -> LaunchRefused:
         lesson = Lesson(
             rule=FILE,
             what=f"{self.shown(name)!r} cannot be read: {getattr(error, 'strerror', None) or error}",
@@ -151,7 +151,9 @@ class Files:
         )
         if isinstance(error, FileNotFoundError):
             lesson = self.missing(name)
-        return Refused(Kind.OTHER, _as_written(error, name), lesson, name=type(error).__name__)
+        return LaunchRefused(
+            Kind.OTHER, _as_written(error, name), lesson, name=type(error).__name__
+        )
 
 
 def _as_written(error: OSError | ValueError, name: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from simkit.launch.refusal import Kind, Lesson, Place, Refused
+from simkit.launch.refusal import Kind, LaunchPlace, LaunchRefused, Lesson
 from simkit.launch.rules import SYNTAX
 from simkit.xml import Document, Element, Fault, FaultKind, Span, parse_xml
 from simkit.xml.expat_words import words_of_expat
@@ -23,10 +23,10 @@ class LaunchFile:
     """What is in it."""
     data: bytes
     """The same, as it was read."""
-    included_at: Place | None = None
+    included_at: LaunchPlace | None = None
     """The `<include>` that names it; None for the file that was asked for."""
 
-    def chain(self) -> list[Place]:
+    def chain(self) -> list[LaunchPlace]:
         """The places that include it, the nearest first."""
         places = []
         place = self.included_at
@@ -45,7 +45,7 @@ class LaunchFile:
 
 
 def read_launch_file(
-    data: bytes, *, name: str, shown: str, included_at: Place | None = None
+    data: bytes, *, name: str, shown: str, included_at: LaunchPlace | None = None
 ) -> tuple[LaunchFile, Element]:
     """A launch file and its `<launch>` element.
 
@@ -66,13 +66,13 @@ def read_launch_file(
     assert document.root is not None
     found = [element for element in document.root.walk() if element.name == "launch"]
     if len(found) != 1:
-        raise Refused(Kind.SYNTAX, _ROOT, _no_root(found)).at(
-            Place(launch_file=launch_file, span=(found[1] if found else document.root).span)
+        raise LaunchRefused(Kind.SYNTAX, _ROOT, _no_root(found)).at(
+            LaunchPlace(launch_file=launch_file, span=(found[1] if found else document.root).span)
         )
     return launch_file, found[0]
 
 
-def _not_xml(launch_file: LaunchFile, words: str | None) -> Refused:
+def _not_xml(launch_file: LaunchFile, words: str | None) -> LaunchRefused:
     faults = launch_file.document.faults
     if faults:
         first = _cause_of(faults)
@@ -81,11 +81,11 @@ def _not_xml(launch_file: LaunchFile, words: str | None) -> Refused:
         what, remedy, span = f"this is not XML: {words}", "Look at this place.", _place(words or "")
     text = f"Invalid roslaunch XML syntax: {words or what}"
     kind = Kind.SYNTAX if words else Kind.OURS
-    return Refused(
+    return LaunchRefused(
         kind,
         text,
         Lesson(rule=SYNTAX, what=what, remedy=remedy),
-        place=Place(launch_file=launch_file, span=span),
+        place=LaunchPlace(launch_file=launch_file, span=span),
     )
 
 

@@ -10,11 +10,11 @@ from simkit.errors import near_names
 from simkit.graph.names import is_legal_name
 from simkit.launch.parameter_tags import take_param, take_rosparam
 from simkit.launch.plan import PlannedNode
-from simkit.launch.refusal import Kind, Lesson, Refused
+from simkit.launch.refusal import Kind, LaunchRefused, Lesson
 from simkit.launch.rules import ATTRIBUTE, NO_EFFECT, UNKNOWN
 from simkit.launch.scope import Scope, as_namespace, joined
 from simkit.launch.small_tags import read_remapping, take_environment
-from simkit.launch.tag import Tag, namespace_of
+from simkit.launch.tag import LaunchTag, namespace_of
 from simkit.launch.values import seconds
 
 _ATTRIBUTES = (
@@ -47,7 +47,7 @@ class _Where:
     """The namespace of its private parameters."""
 
 
-def take_node(tag: Tag, scope: Scope) -> None:
+def take_node(tag: LaunchTag, scope: Scope) -> None:
     """Add a node with its parameters; of a `<test>` only the parameters.
 
     Raises:
@@ -57,7 +57,7 @@ def take_node(tag: Tag, scope: Scope) -> None:
         return
     try:
         node = _node(tag, scope)
-    except Refused as refused:
+    except LaunchRefused as refused:
         refused.at(tag.place)
         if refused.kind is Kind.KEY:
             words = f"<{tag.name}> tag is missing required attribute: {refused.text}. Node xml is"
@@ -69,11 +69,11 @@ def take_node(tag: Tag, scope: Scope) -> None:
     if tag.name == "node":
         try:
             tag.state.add_node(node)
-        except Refused as refused:
+        except LaunchRefused as refused:
             raise refused.at(tag.place_of("name")) from None
 
 
-def _node(tag: Tag, scope: Scope) -> PlannedNode:
+def _node(tag: LaunchTag, scope: Scope) -> PlannedNode:
     is_test = tag.name == "test"
     tag.check_attributes((*_ATTRIBUTES, *_OF_TESTS) if is_test else _ATTRIBUTES)
     name = (tag.get("name", scope) or "") if is_test else tag.required("name", scope)
@@ -123,7 +123,7 @@ def _node(tag: Tag, scope: Scope) -> PlannedNode:
     )
 
 
-def _check_name(tag: Tag, name: str) -> None:
+def _check_name(tag: LaunchTag, name: str) -> None:
     if is_legal_name(name) or not name:
         return
     tag.state.warn(
@@ -135,7 +135,7 @@ def _check_name(tag: Tag, name: str) -> None:
     tag.state.teach(Lesson(rule=ATTRIBUTE, what=what, remedy=remedy), tag.place_of("name"))
 
 
-def _where(tag: Tag, scope: Scope, name: str) -> _Where:
+def _where(tag: LaunchTag, scope: Scope, name: str) -> _Where:
     inner = scope.child(namespace_of(tag, scope))
     if tag.flag("clear_params", tag.get("clear_params", scope) or None):
         if not name:
@@ -147,7 +147,7 @@ def _where(tag: Tag, scope: Scope, name: str) -> _Where:
     return _Where(name=name, inner=inner, own=own)
 
 
-def _take_children(tag: Tag, scope: Scope, where: _Where) -> Scope:
+def _take_children(tag: LaunchTag, scope: Scope, where: _Where) -> Scope:
     """Take what stands in a node; a scope with its remappings and environment."""
     inner = scope.child()
     for child in tag.children():
@@ -172,7 +172,7 @@ def _take_children(tag: Tag, scope: Scope, where: _Where) -> Scope:
     return inner
 
 
-def _unknown_child(tag: Tag, child: Tag) -> None:
+def _unknown_child(tag: LaunchTag, child: LaunchTag) -> None:
     tag.state.warn(
         f"WARN: unrecognized '{child.name}' child tag in the parent tag element: {tag.xml}"
     )
@@ -182,7 +182,7 @@ def _unknown_child(tag: Tag, child: Tag) -> None:
     tag.state.teach(Lesson(rule=UNKNOWN, what=what, remedy=remedy), child.place)
 
 
-def _want_machine(tag: Tag, name: str | None) -> None:
+def _want_machine(tag: LaunchTag, name: str | None) -> None:
     """Note the machine that a node is meant for: there must be a `<machine>` of its name, before or behind."""
     if name is None:
         return
@@ -193,7 +193,7 @@ def _want_machine(tag: Tag, name: str | None) -> None:
 
 
 def _check_options(
-    tag: Tag,
+    tag: LaunchTag,
     name: str,
     package: str,
     type_name: str,
@@ -225,6 +225,6 @@ def _check_options(
         tag.state.teach(lesson, tag.place_of("launch-prefix"))
 
 
-def _wrong(tag: Tag, words: str, attribute: str, remedy: str) -> Refused:
+def _wrong(tag: LaunchTag, words: str, attribute: str, remedy: str) -> LaunchRefused:
     lesson = Lesson(rule=ATTRIBUTE, what=words, remedy=remedy)
-    return Refused(Kind.VALUE, words, lesson, place=tag.place_of(attribute))
+    return LaunchRefused(Kind.VALUE, words, lesson, place=tag.place_of(attribute))

@@ -10,10 +10,10 @@ from simkit.errors import near_names
 from simkit.graph.names import is_legal_name
 from simkit.launch.command import output_of
 from simkit.launch.plan import ParameterStep
-from simkit.launch.refusal import Elsewhere, Kind, Lesson, Refused, ours
+from simkit.launch.refusal import Elsewhere, Kind, LaunchRefused, Lesson, ours
 from simkit.launch.rules import ATTRIBUTE, FILE, YAML
 from simkit.launch.scope import PrivateParameter, Scope, joined, tidy
-from simkit.launch.tag import Tag
+from simkit.launch.tag import LaunchTag
 from simkit.launch.values import TYPES, convert, load_yaml
 from simkit.xml import Span
 
@@ -30,7 +30,7 @@ class _Found:
     source: Path | None = None
 
 
-def take_param(tag: Tag, scope: Scope, *, in_node: bool = False) -> None:
+def take_param(tag: LaunchTag, scope: Scope, *, in_node: bool = False) -> None:
     """Add a parameter: to the server, or, with `~` and in a node, to nodes.
 
     Args:
@@ -45,7 +45,7 @@ def take_param(tag: Tag, scope: Scope, *, in_node: bool = False) -> None:
         return
     try:
         _add(tag, scope, in_node=in_node)
-    except Refused as refused:
+    except LaunchRefused as refused:
         refused.at(tag.place)
         if refused.kind is Kind.KEY:
             words = f"<param> tag is missing required attribute: {refused.text}. \n\nParam xml is"
@@ -56,7 +56,7 @@ def take_param(tag: Tag, scope: Scope, *, in_node: bool = False) -> None:
         raise refused.worded(Kind.SYNTAX, f"{words} {tag.xml}") from None
 
 
-def _add(tag: Tag, scope: Scope, *, in_node: bool) -> None:
+def _add(tag: LaunchTag, scope: Scope, *, in_node: bool) -> None:
     tag.check_attributes(_PARAM_ATTRIBUTES)
     type_name = (tag.element.get("type") or "auto").lower().strip()
     sources = {key: value for key in _SOURCES if (value := tag.get(key, scope)) is not None}
@@ -70,7 +70,7 @@ def _add(tag: Tag, scope: Scope, *, in_node: bool) -> None:
     ((source, text),) = sources.items()
     try:
         found = _value(tag, name, type_name, source, text)
-    except Refused as refused:
+    except LaunchRefused as refused:
         raise refused.at(tag.place_of(source if type_name in TYPES else "type")) from None
     _check_name(tag, name)
     if in_node or name.startswith("~"):
@@ -80,7 +80,7 @@ def _add(tag: Tag, scope: Scope, *, in_node: bool) -> None:
         tag.state.add_param(full, found.value, tag.place, found.source)
 
 
-def _how_to_have_one(tag: Tag, count: int) -> str:
+def _how_to_have_one(tag: LaunchTag, count: int) -> str:
     """What to do about a parameter with no source, or with several."""
     if count:
         return "Keep one of value=, textfile=, binfile=, command=."
@@ -91,7 +91,7 @@ def _how_to_have_one(tag: Tag, count: int) -> str:
     return 'Write value="...", or textfile=, binfile= or command=.'
 
 
-def _check_name(tag: Tag, name: str) -> None:
+def _check_name(tag: LaunchTag, name: str) -> None:
     """Tell of a name that the tools of ROS refuse; roslaunch itself takes it."""
     if not name or is_legal_name(name):
         return
@@ -100,7 +100,7 @@ def _check_name(tag: Tag, name: str) -> None:
     tag.state.teach(Lesson(rule=ATTRIBUTE, what=what, remedy=remedy), tag.place_of("name"))
 
 
-def _value(tag: Tag, name: str, type_name: str, source: str, text: str) -> _Found:
+def _value(tag: LaunchTag, name: str, type_name: str, source: str, text: str) -> _Found:
     files = tag.state.files
     if source == "value":
         return _Found(convert(text.strip(), type_name))
@@ -115,7 +115,7 @@ def _value(tag: Tag, name: str, type_name: str, source: str, text: str) -> _Foun
 _ROSPARAM_ATTRIBUTES = ("command", "ns", "file", "param", "subst_value")
 
 
-def take_rosparam(tag: Tag, scope: Scope) -> None:
+def take_rosparam(tag: LaunchTag, scope: Scope) -> None:
     """Load, delete or dump parameters.
 
     Raises:
@@ -125,7 +125,7 @@ def take_rosparam(tag: Tag, scope: Scope) -> None:
         return
     try:
         _take(tag, scope)
-    except Refused as refused:
+    except LaunchRefused as refused:
         refused.at(tag.place)
         if refused.kind is not Kind.VALUE:
             raise
@@ -133,7 +133,7 @@ def take_rosparam(tag: Tag, scope: Scope) -> None:
         raise refused.worded(Kind.LOAD, words) from None
 
 
-def _take(tag: Tag, scope: Scope) -> None:
+def _take(tag: LaunchTag, scope: Scope) -> None:
     tag.check_attributes(_ROSPARAM_ATTRIBUTES)
     command, namespace, file, name, replaced = (tag.get(key, scope) for key in _ROSPARAM_ATTRIBUTES)
     replace = tag.flag("subst_value", replaced)
@@ -158,7 +158,7 @@ def _take(tag: Tag, scope: Scope) -> None:
 
 
 def _load(
-    tag: Tag, scope: Scope, file: str | None, full: str, *, named: bool, replace: bool
+    tag: LaunchTag, scope: Scope, file: str | None, full: str, *, named: bool, replace: bool
 ) -> None:
     text = tag.element.text if file is None else _text_of(tag, file)
     if replace:
@@ -166,10 +166,10 @@ def _load(
     tag.state.budget.yaml(len(text))
     try:
         value = load_yaml(text, file=file)
-    except Refused as refused:
+    except LaunchRefused as refused:
         raise _with_place(refused, tag, file, text) from None
     if not named and not isinstance(value, dict):
-        raise Refused(
+        raise LaunchRefused(
             Kind.VALUE,
             "'param' attribute must be set for non-dictionary values",
             _no_mapping(value),
@@ -188,33 +188,35 @@ def _no_mapping(value: object) -> Lesson:
     return Lesson(rule=YAML, what=what, remedy=remedy)
 
 
-def _text_of(tag: Tag, file: str) -> str:
+def _text_of(tag: LaunchTag, file: str) -> str:
     files = tag.state.files
     try:
         if files.may_read(file) and not Path(file).is_file():
             lesson = files.missing(file)
-            raise Refused(Kind.VALUE, f"file does not exist [{file}]", lesson)
+            raise LaunchRefused(Kind.VALUE, f"file does not exist [{file}]", lesson)
         return files.read_text(file)
-    except Refused as refused:
+    except LaunchRefused as refused:
         raise refused.at(tag.place_of("file")) from None
 
 
-def _replaced(tag: Tag, scope: Scope, file: str | None, text: str) -> str:
+def _replaced(tag: LaunchTag, scope: Scope, file: str | None, text: str) -> str:
     """The text with every `$(...)` replaced; one that cannot be is named with its line."""
     resolve = tag.state.substitution.resolve
     try:
         return resolve(text, scope)
-    except Refused as refused:
+    except LaunchRefused as refused:
         for number, line in enumerate(text.split("\n"), 1):
             try:
                 resolve(line, scope)
-            except Refused:
+            except LaunchRefused:
                 refused.mark = (number, line.index("$(") + 1)
                 break
         raise _with_place(refused, tag, file, text) from None
 
 
-def _with_place(refused: Refused, tag: Tag, file: str | None, text: str) -> Refused:
+def _with_place(
+    refused: LaunchRefused, tag: LaunchTag, file: str | None, text: str
+) -> LaunchRefused:
     """A fault in YAML, with its place in the file, or in the launch file that the YAML stands in."""
     if refused.mark is None:
         return refused
@@ -238,6 +240,6 @@ def _with_place(refused: Refused, tag: Tag, file: str | None, text: str) -> Refu
     return refused
 
 
-def _wrong(words: str, attribute: str, remedy: str) -> Refused:
+def _wrong(words: str, attribute: str, remedy: str) -> LaunchRefused:
     lesson = Lesson(rule=ATTRIBUTE, what=f"{attribute}= of <rosparam> is wrong", remedy=remedy)
-    return Refused(Kind.VALUE, words, lesson)
+    return LaunchRefused(Kind.VALUE, words, lesson)

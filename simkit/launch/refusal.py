@@ -60,7 +60,7 @@ class Lesson:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Place:
+class LaunchPlace:
     """A piece of a launch file."""
 
     launch_file: LaunchFile
@@ -81,7 +81,7 @@ class Elsewhere:
     """The line."""
 
 
-class Refused(Exception):
+class LaunchRefused(Exception):
     """A fault of a launch file.
 
     Args:
@@ -99,7 +99,7 @@ class Refused(Exception):
         text: str,
         lesson: Lesson,
         *,
-        place: Place | None = None,
+        place: LaunchPlace | None = None,
         name: str = "",
         mark: tuple[int, int] | None = None,
     ) -> None:
@@ -112,13 +112,13 @@ class Refused(Exception):
         self.mark = mark
         self.elsewhere: Elsewhere | None = None
 
-    def worded(self, kind: Kind, text: str) -> Refused:
+    def worded(self, kind: Kind, text: str) -> LaunchRefused:
         """The same fault in a handler's words."""
-        new = Refused(kind, text, self.lesson, place=self.place, mark=self.mark)
+        new = LaunchRefused(kind, text, self.lesson, place=self.place, mark=self.mark)
         new.elsewhere = self.elsewhere
         return new
 
-    def at(self, place: Place) -> Refused:
+    def at(self, place: LaunchPlace) -> LaunchRefused:
         """The same fault, with its place if it has none yet."""
         if self.place is None:
             self.place = place
@@ -134,6 +134,6 @@ class Refused(Exception):
         return _PREFIXES.get(self.kind, "RLException: ") + self.text
 
 
-def ours(rule: str, what: str, remedy: str) -> Refused:
+def ours(rule: str, what: str, remedy: str) -> LaunchRefused:
     """A fault that only this kit refuses."""
-    return Refused(Kind.OURS, what, Lesson(rule=rule, what=what, remedy=remedy))
+    return LaunchRefused(Kind.OURS, what, Lesson(rule=rule, what=what, remedy=remedy))

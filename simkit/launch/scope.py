@@ -11,7 +11,7 @@ from typing import Any
 
 from simkit.graph.names import is_legal_name
 from simkit.launch.launch_file import LaunchFile
-from simkit.launch.refusal import Kind, Lesson, Refused
+from simkit.launch.refusal import Kind, LaunchRefused, Lesson
 from simkit.launch.rules import ARGUMENT, ATTRIBUTE
 
 
@@ -83,7 +83,7 @@ class Scope:
         if namespace == "~":
             what = "a namespace cannot be private"
             lesson = Lesson(rule=ATTRIBUTE, what=what, remedy="Write a name for ns=.")
-            raise Refused(Kind.VALUE, "cannot turn [~] into a global name", lesson)
+            raise LaunchRefused(Kind.VALUE, "cannot turn [~] into a global name", lesson)
         inner = as_namespace(joined(self.namespace, namespace)) if namespace else self.namespace
         return Scope(self.launch_file, inner, self)
 
@@ -109,7 +109,7 @@ class Scope:
                 what = f"the argument {name!r} for the included file has no value"
                 remedy = f'Write <arg name="{name}" value="..."/>.'
                 lesson = Lesson(rule=ARGUMENT, what=what, remedy=remedy)
-                raise Refused(Kind.LOAD, "include args must have declared values", lesson)
+                raise LaunchRefused(Kind.LOAD, "include args must have declared values", lesson)
         self.launch_file = launch_file
         self.arguments, self.given = self.given, None
         self.declared, self.anonymous = [], {}
@@ -172,20 +172,22 @@ class Scope:
         self.environment = list(parent.environment)
 
 
-def _twice(name: str) -> Refused:
+def _twice(name: str) -> LaunchRefused:
     what = f"the argument {name!r} is declared twice"
     lesson = Lesson(rule=ARGUMENT, what=what, remedy="Remove one of the two.")
-    return Refused(Kind.LOAD, f"arg '{name}' has already been declared", lesson)
+    return LaunchRefused(Kind.LOAD, f"arg '{name}' has already been declared", lesson)
 
 
-def _fixed(name: str) -> Refused:
+def _fixed(name: str) -> LaunchRefused:
     what = f"the argument {name!r} has value=, so nobody can give it another one"
     remedy = f"Write default= in place of value= where {name!r} may be set from outside."
     lesson = Lesson(rule=ARGUMENT, what=what, remedy=remedy)
-    return Refused(Kind.LOAD, f"cannot override arg '{name}', which has already been set", lesson)
+    return LaunchRefused(
+        Kind.LOAD, f"cannot override arg '{name}', which has already been set", lesson
+    )
 
 
-def _bad_remapping(text: str, pair: tuple[str, str]) -> Refused:
+def _bad_remapping(text: str, pair: tuple[str, str]) -> LaunchRefused:
     what = f"{pair[0]!r} cannot be remapped to {pair[1]!r}"
     remedy = "Write two names of topics or services: letters, digits, _ and / only."
-    return Refused(Kind.LOAD, text, Lesson(rule=ATTRIBUTE, what=what, remedy=remedy))
+    return LaunchRefused(Kind.LOAD, text, Lesson(rule=ATTRIBUTE, what=what, remedy=remedy))

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from simkit.launch.plan import ArgumentDoc
-from simkit.launch.refusal import Kind, Lesson, Refused
+from simkit.launch.refusal import Kind, LaunchRefused, Lesson
 from simkit.launch.rules import NO_EFFECT
 from simkit.launch.scope import Scope
-from simkit.launch.tag import Tag
+from simkit.launch.tag import LaunchTag
 
 _MACHINE = (
     "name",
@@ -20,7 +20,7 @@ _MACHINE = (
 )
 
 
-def take_argument(tag: Tag, scope: Scope) -> None:
+def take_argument(tag: LaunchTag, scope: Scope) -> None:
     """`<arg name default|value doc>`: declare an argument.
 
     Raises:
@@ -42,7 +42,7 @@ def take_argument(tag: Tag, scope: Scope) -> None:
         scope.declare(name, value=value, default=default)
         if scope.parent is None and value is None:
             tag.state.arguments.append(ArgumentDoc(name=name, default=default, doc=doc))
-    except Refused as refused:
+    except LaunchRefused as refused:
         refused.at(tag.place)
         if refused.kind is Kind.OURS:
             raise
@@ -52,7 +52,7 @@ def take_argument(tag: Tag, scope: Scope) -> None:
         raise refused.worded(Kind.SYNTAX, words) from None
 
 
-def read_remapping(tag: Tag, scope: Scope) -> tuple[str, str] | None:
+def read_remapping(tag: LaunchTag, scope: Scope) -> tuple[str, str] | None:
     """`<remap from to>`: the two names; None if it does not apply.
 
     Raises:
@@ -63,14 +63,14 @@ def read_remapping(tag: Tag, scope: Scope) -> tuple[str, str] | None:
     tag.check_attributes(("from", "to"))
     try:
         return tag.required("from", scope), tag.required("to", scope)
-    except Refused as refused:
+    except LaunchRefused as refused:
         if refused.kind is not Kind.KEY:
             raise
         words = f"<remap> tag is missing required from/to attributes: {tag.xml}"
         raise refused.worded(Kind.SYNTAX, words) from None
 
 
-def take_remapping(tag: Tag, scope: Scope) -> None:
+def take_remapping(tag: LaunchTag, scope: Scope) -> None:
     """`<remap>` for all nodes that follow in its scope.
 
     Raises:
@@ -80,14 +80,14 @@ def take_remapping(tag: Tag, scope: Scope) -> None:
         pair = read_remapping(tag, scope)
         if pair is not None:
             scope.add_remapping(*pair)
-    except Refused as refused:
+    except LaunchRefused as refused:
         if refused.kind not in (Kind.SYNTAX, Kind.LOAD):
             raise
         words = f"Invalid <remap> tag: {refused.text}.\nXML is {tag.xml}"
         raise refused.at(tag.place).worded(Kind.SYNTAX, words) from None
 
 
-def take_environment(tag: Tag, scope: Scope) -> None:
+def take_environment(tag: LaunchTag, scope: Scope) -> None:
     """`<env name value>`: an environment variable for nodes.
 
     Raises:
@@ -98,7 +98,7 @@ def take_environment(tag: Tag, scope: Scope) -> None:
     tag.check_attributes(("name", "value"))
     try:
         name, value = tag.required("name", scope), tag.required("value", scope)
-    except Refused as refused:
+    except LaunchRefused as refused:
         if refused.kind is not Kind.KEY:
             raise
         words = f"<env> tag is missing required name/value attributes: {tag.xml}"
@@ -110,7 +110,7 @@ def take_environment(tag: Tag, scope: Scope) -> None:
     _no_effect(tag, f"the environment variable {name} does not reach nodes here", "Use a <param>.")
 
 
-def take_machine(tag: Tag, scope: Scope) -> None:
+def take_machine(tag: LaunchTag, scope: Scope) -> None:
     """`<machine>`: looked at, and ignored, since all nodes run here.
 
     Raises:
@@ -122,7 +122,7 @@ def take_machine(tag: Tag, scope: Scope) -> None:
     try:
         tag.state.machines.append(tag.required("name", scope))
         tag.required("address", scope)
-    except Refused as refused:
+    except LaunchRefused as refused:
         if refused.kind is not Kind.KEY:
             raise
         words = f"<machine> tag is missing required attribute: {refused.text}"
@@ -130,5 +130,5 @@ def take_machine(tag: Tag, scope: Scope) -> None:
     _no_effect(tag, "<machine> is ignored: all nodes run in this simulation", "Remove it here.")
 
 
-def _no_effect(tag: Tag, what: str, remedy: str) -> None:
+def _no_effect(tag: LaunchTag, what: str, remedy: str) -> None:
     tag.state.teach(Lesson(rule=NO_EFFECT, what=what, remedy=remedy), tag.place)

@@ -12,7 +12,7 @@ from simkit.launch.budget import Budget
 from simkit.launch.errors import diagnostic_of
 from simkit.launch.files import Files
 from simkit.launch.plan import ArgumentDoc, Origin, ParameterStep, PlannedNode
-from simkit.launch.refusal import Kind, Lesson, Place, Refused, ours
+from simkit.launch.refusal import Kind, LaunchPlace, LaunchRefused, Lesson, ours
 from simkit.launch.rules import ATTRIBUTE, YAML
 from simkit.launch.scope import joined, tidy
 from simkit.launch.substitution import Substitution
@@ -22,7 +22,7 @@ MAX_WARNINGS = 200
 
 
 @dataclass(slots=True)
-class State:
+class LaunchState:
     """Parameters, nodes and warnings, in the order in which they were found."""
 
     files: Files
@@ -30,18 +30,20 @@ class State:
     substitution: Substitution
     params: dict[str, Any] = field(default_factory=dict)
     origins: dict[str, Origin] = field(default_factory=dict)
-    places: dict[str, Place] = field(default_factory=dict)
+    places: dict[str, LaunchPlace] = field(default_factory=dict)
     clear_params: list[str] = field(default_factory=list)
     steps: list[ParameterStep] = field(default_factory=list)
     nodes: dict[str, PlannedNode] = field(default_factory=dict)
     machines: list[str] = field(default_factory=list)
-    wanted_machines: list[tuple[str, Place]] = field(default_factory=list)
+    wanted_machines: list[tuple[str, LaunchPlace]] = field(default_factory=list)
     launch_files: list[str] = field(default_factory=list)
     arguments: list[ArgumentDoc] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
     diagnostics: list[Diagnostic] = field(default_factory=list)
 
-    def add_param(self, name: str, value: Any, place: Place, source: Path | None = None) -> None:
+    def add_param(
+        self, name: str, value: Any, place: LaunchPlace, source: Path | None = None
+    ) -> None:
         """Add a parameter; the later one of two wins.
 
         Raises:
@@ -60,7 +62,9 @@ class State:
             shown_file=place.launch_file.document.file, span=place.span, source=source
         )
 
-    def add_tree(self, name: str, value: Any, place: Place, source: Path | None = None) -> None:
+    def add_tree(
+        self, name: str, value: Any, place: LaunchPlace, source: Path | None = None
+    ) -> None:
         """Add a value of YAML: a mapping is a namespace.
 
         Raises:
@@ -69,7 +73,7 @@ class State:
         if not isinstance(value, dict):
             if tidy(name) == "/":
                 words = "Cannot load non-dictionary types into global namespace '/'"
-                raise Refused(Kind.VALUE, words, _no_mapping())
+                raise LaunchRefused(Kind.VALUE, words, _no_mapping())
             self.add_param(name, value, place, source)
             return
         for key, part in value.items():
@@ -93,7 +97,7 @@ class State:
             )
             what = f"two nodes are named {name}; the first is at {twin.shown_file}:{twin.span.line}"
             lesson = Lesson(rule=ATTRIBUTE, what=what, remedy="Give each node a name of its own.")
-            raise Refused(Kind.LOAD, words, lesson)
+            raise LaunchRefused(Kind.LOAD, words, lesson)
         self.nodes[name] = node
 
     def require_machines(self) -> None:
@@ -107,7 +111,9 @@ class State:
                 what = f"there is no <machine> named {name!r}"
                 remedy = "Remove machine=: all nodes run in this simulation."
                 lesson = Lesson(rule=ATTRIBUTE, what=what, remedy=remedy)
-                raise Refused(Kind.LOAD, f"ERROR: unknown machine [{name}]", lesson, place=place)
+                raise LaunchRefused(
+                    Kind.LOAD, f"ERROR: unknown machine [{name}]", lesson, place=place
+                )
 
     def warn(self, text: str, *, plain: bool = False) -> None:
         """Keep a warning of roslaunch.
@@ -119,7 +125,9 @@ class State:
         if len(self.warnings) < MAX_WARNINGS:
             self.warnings.append(text if plain else f"WARNING: {text}")
 
-    def teach(self, lesson: Lesson, place: Place, severity: Severity = Severity.WARNING) -> None:
+    def teach(
+        self, lesson: Lesson, place: LaunchPlace, severity: Severity = Severity.WARNING
+    ) -> None:
         """Keep what a teacher says about something that works."""
         if len(self.diagnostics) < MAX_WARNINGS:
             self.diagnostics.append(diagnostic_of(lesson, place, severity))
@@ -144,11 +152,11 @@ def _require_sendable(name: str, value: Any) -> None:
         raise _unsendable(name, value, found.cause, found.what)
 
 
-def _unsendable(name: str, value: Any, cause: str, what: str) -> Refused:
+def _unsendable(name: str, value: Any, cause: str, what: str) -> LaunchRefused:
     words = f"load_parameters: unable to set params (last param was [{name}={value}]): {cause}"
     remedy = "Give a number, a text in quotation marks, true or false, or a list of those."
     lesson = Lesson(rule=YAML, what=f"{name}: {what}", remedy=remedy)
-    return Refused(Kind.LOAD, words, lesson)
+    return LaunchRefused(Kind.LOAD, words, lesson)
 
 
 def _no_mapping() -> Lesson:
@@ -158,9 +166,9 @@ def _no_mapping() -> Lesson:
     )
 
 
-def _bad_key(key: object) -> Refused:
+def _bad_key(key: object) -> LaunchRefused:
     words = f"{type(key).__name__!r} object is not subscriptable"
     what = f"{key!r} cannot be the name of a parameter"
     remedy = f'Put it in quotation marks: "{key}".' if key != "" else "Write a name."
     lesson = Lesson(rule=YAML, what=what, remedy=remedy)
-    return Refused(Kind.OTHER, words, lesson, name="TypeError")
+    return LaunchRefused(Kind.OTHER, words, lesson, name="TypeError")

@@ -17,7 +17,7 @@ from simkit.errors import near_names
 from simkit.launch.budget import Budget
 from simkit.launch.expression import evaluate_expression
 from simkit.launch.files import Files
-from simkit.launch.refusal import Kind, Lesson, Refused
+from simkit.launch.refusal import Kind, LaunchRefused, Lesson
 from simkit.launch.rules import SUBSTITUTION
 from simkit.launch.scope import Scope
 from simkit.launch.values import convert
@@ -108,7 +108,7 @@ class Substitution:
         """The value of an argument."""
         if name in scope.arguments:
             return scope.arguments[name]
-        raise Refused(Kind.ARGUMENT, name, _no_argument(name, scope))
+        raise LaunchRefused(Kind.ARGUMENT, name, _no_argument(name, scope))
 
     def anon(self, identity: str, scope: Scope) -> str:
         """A name that nobody else has: the same one for each use of the id in one file."""
@@ -123,7 +123,7 @@ class Substitution:
         what = f"there is no environment variable {name!r}"
         remedy = f"Write $(optenv {name} DEFAULT), or better an <arg> with a default."
         lesson = Lesson(rule=SUBSTITUTION, what=what, remedy=remedy)
-        raise Refused(Kind.SUBSTITUTION, f"environment variable '{name}' is not set", lesson)
+        raise LaunchRefused(Kind.SUBSTITUTION, f"environment variable '{name}' is not set", lesson)
 
     def optenv(self, name: str, default: str = "") -> str:
         """The value of an environment variable, or a default."""
@@ -161,11 +161,13 @@ def _contents(text: str) -> list[str]:
             words = f"Dollar signs '$' cannot be inside of substitution args [{text}]"
         what = "$(...) cannot stand inside of $(...)"
         remedy = "Put the inner one into an <arg> of its own, or write one $(eval ...)."
-        raise Refused(Kind.SUBSTITUTION, words, Lesson(rule=SUBSTITUTION, what=what, remedy=remedy))
+        raise LaunchRefused(
+            Kind.SUBSTITUTION, words, Lesson(rule=SUBSTITUTION, what=what, remedy=remedy)
+        )
     return [match[1] for match in _CLOSED.finditer(text)]
 
 
-def _unknown(content: str, command: str) -> Refused:
+def _unknown(content: str, command: str) -> LaunchRefused:
     words = f"Unknown substitution command [{content}]. Valid commands are {list(COMMANDS)}"
     what = f"there is no $({command} ...)"
     remedy = f"Write one of {', '.join(COMMANDS)}, or $(eval ...) as the whole value."
@@ -174,7 +176,9 @@ def _unknown(content: str, command: str) -> Refused:
     if command == "eval":
         what = "$(eval ...) must be the whole value"
         remedy = "Write the texts around it into the expression: $(eval 'a' + arg('b'))."
-    return Refused(Kind.SUBSTITUTION, words, Lesson(rule=SUBSTITUTION, what=what, remedy=remedy))
+    return LaunchRefused(
+        Kind.SUBSTITUTION, words, Lesson(rule=SUBSTITUTION, what=what, remedy=remedy)
+    )
 
 
 def _no_argument(name: str, scope: Scope) -> Lesson:
@@ -207,4 +211,4 @@ def _require_words(command: str, words: list[str], content: str) -> None:
             what=f"$({content}) has {len(words)} words behind {command}",
             remedy="Write $(find PACKAGE), $(arg NAME), $(env NAME), $(anon ID), $(optenv NAME DEFAULT).",
         )
-        raise Refused(Kind.SUBSTITUTION, f"{fault} [{content}]", lesson)
+        raise LaunchRefused(Kind.SUBSTITUTION, f"{fault} [{content}]", lesson)

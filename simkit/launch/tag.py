@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 from simkit.errors import near_names
 from simkit.launch.launch_file import LaunchFile
-from simkit.launch.refusal import Kind, Lesson, Place, Refused
+from simkit.launch.refusal import Kind, LaunchPlace, LaunchRefused, Lesson
 from simkit.launch.rules import ATTRIBUTE, UNKNOWN
 from simkit.launch.scope import Scope
-from simkit.launch.state import State
+from simkit.launch.state import LaunchState
 from simkit.launch.values import flag, truth
 from simkit.xml import Element
 
@@ -20,14 +20,14 @@ _OF_ROS_2 = {"type": ("exec", "executable"), "ns": ("namespace",)}
 
 
 @dataclass(frozen=True, slots=True)
-class Tag:
+class LaunchTag:
     """A tag, its file, and what it adds to."""
 
     element: Element
     """The element."""
     launch_file: LaunchFile
     """The file it is in."""
-    state: State
+    state: LaunchState
     """What has been gathered so far."""
 
     @property
@@ -36,18 +36,18 @@ class Tag:
         return self.element.name
 
     @property
-    def place(self) -> Place:
+    def place(self) -> LaunchPlace:
         """Where it stands."""
-        return Place(launch_file=self.launch_file, span=self.element.span)
+        return LaunchPlace(launch_file=self.launch_file, span=self.element.span)
 
     @property
     def xml(self) -> str:
         """The whole element, as roslaunch's messages show it."""
         return self.launch_file.xml_of(self.element)
 
-    def children(self) -> list[Tag]:
+    def children(self) -> list[LaunchTag]:
         """The tags in it."""
-        return [Tag(child, self.launch_file, self.state) for child in self.element.children]
+        return [LaunchTag(child, self.launch_file, self.state) for child in self.element.children]
 
     def has(self, attribute: str) -> bool:
         """Whether an attribute is there."""
@@ -80,19 +80,19 @@ class Tag:
             if near := other or near_names(attribute, given):
                 remedy = f"Write {attribute}= where {near[0]}= stands."
             lesson = Lesson(rule=ATTRIBUTE, what=what, remedy=remedy)
-            raise Refused(Kind.KEY, f"'{attribute}'", lesson, place=self.place)
+            raise LaunchRefused(Kind.KEY, f"'{attribute}'", lesson, place=self.place)
         return value
 
-    def place_of(self, attribute: str) -> Place:
+    def place_of(self, attribute: str) -> LaunchPlace:
         """Where the value of an attribute stands; the tag itself if it has none."""
-        return Place(launch_file=self.launch_file, span=self.element.span_of(attribute))
+        return LaunchPlace(launch_file=self.launch_file, span=self.element.span_of(attribute))
 
     @contextlib.contextmanager
     def about(self, attribute: str) -> Iterator[None]:
         """A fault in the body without a place of its own is one of this attribute."""
         try:
             yield
-        except Refused as refused:
+        except LaunchRefused as refused:
             raise refused.at(self.place_of(attribute)) from None
 
     def flag(self, attribute: str, value: str | None) -> bool:
@@ -114,7 +114,7 @@ class Tag:
         if wanted is not None and unwanted is not None:
             words = "cannot set both 'if' and 'unless' on the same tag"
             lesson = Lesson(rule=ATTRIBUTE, what="if= and unless= on one tag", remedy="Keep one.")
-            raise Refused(Kind.SYNTAX, words, lesson, place=self.place_of("unless"))
+            raise LaunchRefused(Kind.SYNTAX, words, lesson, place=self.place_of("unless"))
         attribute = "if" if wanted is not None else "unless"
         value = wanted if wanted is not None else unwanted
         if value is None:
@@ -132,10 +132,10 @@ class Tag:
             near = near_names(attribute.name, known)
             remedy = f"Did you mean {near[0]}?" if near else "It has: " + ", ".join(known) + "."
             what = f"<{self.name}> has no attribute {attribute.name!r}: it is ignored"
-            place = Place(launch_file=self.launch_file, span=attribute.name_span)
+            place = LaunchPlace(launch_file=self.launch_file, span=attribute.name_span)
             self.state.teach(Lesson(rule=UNKNOWN, what=what, remedy=remedy), place)
 
-    def refuse(self, words: str, what: str, remedy: str, *, at: str | None = None) -> Refused:
+    def refuse(self, words: str, what: str, remedy: str, *, at: str | None = None) -> LaunchRefused:
         """A fault of this tag, of kind SYNTAX.
 
         Args:
@@ -146,10 +146,10 @@ class Tag:
         """
         place = self.place if at is None else self.place_of(at)
         lesson = Lesson(rule=ATTRIBUTE, what=what, remedy=remedy)
-        return Refused(Kind.SYNTAX, words, lesson, place=place)
+        return LaunchRefused(Kind.SYNTAX, words, lesson, place=place)
 
 
-def namespace_of(tag: Tag, scope: Scope) -> str | None:
+def namespace_of(tag: LaunchTag, scope: Scope) -> str | None:
     """The value of `ns`, or None.
 
     Raises:

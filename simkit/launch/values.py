@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from simkit.errors import near_names
-from simkit.launch.refusal import Kind, Lesson, Refused
+from simkit.launch.refusal import Kind, LaunchRefused, Lesson
 from simkit.launch.rules import ATTRIBUTE, YAML
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ def flag(text: str | None, label: str) -> bool:
         words = f"bool value for {label} must be non-empty"
     what = f"{label}={text!r} is neither true nor false"
     lesson = Lesson(rule=ATTRIBUTE, what=what, remedy=f'Write {label}="true" or {label}="false".')
-    raise Refused(Kind.SYNTAX, words, lesson)
+    raise LaunchRefused(Kind.SYNTAX, words, lesson)
 
 
 def seconds(text: str | None, label: str) -> float:
@@ -104,7 +104,7 @@ def seconds(text: str | None, label: str) -> float:
     except ValueError:
         what = f"{label}={text!r} is not a number of seconds"
         lesson = Lesson(rule=ATTRIBUTE, what=what, remedy="Write a number, e.g. 1.5.")
-        raise Refused(Kind.SYNTAX, words, lesson) from None
+        raise LaunchRefused(Kind.SYNTAX, words, lesson) from None
 
 
 def _short(text: str) -> str:
@@ -122,8 +122,8 @@ def _automatic(text: str) -> Any:
     return lowered == "true" if lowered in ("true", "false") else text
 
 
-def _wrong(words: str, what: str, remedy: str) -> Refused:
-    return Refused(Kind.VALUE, words, Lesson(rule=ATTRIBUTE, what=what, remedy=remedy))
+def _wrong(words: str, what: str, remedy: str) -> LaunchRefused:
+    return LaunchRefused(Kind.VALUE, words, Lesson(rule=ATTRIBUTE, what=what, remedy=remedy))
 
 
 _REMEDY = "Write `name: value` with a blank behind the colon, and nest with blanks, not tabs."
@@ -188,7 +188,7 @@ def _load(text: str, loader_class: type[yaml.SafeLoader]) -> Any:
         return loader.construct_document(node)
     except TooManyValues as error:
         lesson = Lesson(rule=YAML, what=str(error), remedy=REMEDY)
-        raise Refused(Kind.OURS, "too many values", lesson) from None
+        raise LaunchRefused(Kind.OURS, "too many values", lesson) from None
     finally:
         loader.dispose()
 
@@ -197,7 +197,7 @@ def _in_file(file: str, cause: object) -> str:
     return f"file {file} contains invalid YAML:\n{cause}"
 
 
-def _not_yaml(words: str, error: BaseException) -> Refused:
+def _not_yaml(words: str, error: BaseException) -> LaunchRefused:
     problem = getattr(error, "problem", None) or str(error).removeprefix("ERROR: ").split("\n")[0]
     place = _mark_of(error)
     where = f"in line {place[0]}, column {place[1]} of the YAML: " if place else ""
@@ -206,4 +206,4 @@ def _not_yaml(words: str, error: BaseException) -> Refused:
         what=f"{where}{problem}",
         remedy=getattr(error, "remedy", _REMEDY),
     )
-    return Refused(Kind.VALUE, words, lesson, mark=place)
+    return LaunchRefused(Kind.VALUE, words, lesson, mark=place)

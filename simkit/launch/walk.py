@@ -9,7 +9,7 @@ from simkit.launch.budget import MAX_GROUP_DEPTH, MAX_INCLUDE_DEPTH, MAX_LAUNCH_
 from simkit.launch.launch_file import LaunchFile, read_launch_file
 from simkit.launch.node_tag import take_node
 from simkit.launch.parameter_tags import take_param, take_rosparam
-from simkit.launch.refusal import Kind, Lesson, Place, Refused, ours
+from simkit.launch.refusal import Kind, LaunchPlace, LaunchRefused, Lesson, ours
 from simkit.launch.rules import ARGUMENT, STRAY_TEXT, TOO_MUCH, UNKNOWN
 from simkit.launch.scope import Scope
 from simkit.launch.small_tags import (
@@ -18,13 +18,13 @@ from simkit.launch.small_tags import (
     take_machine,
     take_remapping,
 )
-from simkit.launch.state import State
-from simkit.launch.tag import Tag, namespace_of
+from simkit.launch.state import LaunchState
+from simkit.launch.tag import LaunchTag, namespace_of
 from simkit.xml import Element
 
 
 def walk(
-    root: Element, launch_file: LaunchFile, scope: Scope, state: State, depth: int = 0
+    root: Element, launch_file: LaunchFile, scope: Scope, state: LaunchState, depth: int = 0
 ) -> None:
     """Evaluate the tags in a `<launch>` or `<group>`.
 
@@ -38,16 +38,18 @@ def walk(
     Raises:
         Refused: A tag makes no sense, or there are too many.
     """
-    _note_stray_text(Tag(root, launch_file, state))
+    _note_stray_text(LaunchTag(root, launch_file, state))
     for element in root.children:
-        tag = Tag(element, launch_file, state)
+        tag = LaunchTag(element, launch_file, state)
         try:
             _take(tag, scope, depth)
-        except Refused as refused:
+        except LaunchRefused as refused:
             raise refused.at(tag.place) from None
 
 
-def open_launch_file(name: str, state: State, tag: Tag | None = None) -> tuple[LaunchFile, Element]:
+def open_launch_file(
+    name: str, state: LaunchState, tag: LaunchTag | None = None
+) -> tuple[LaunchFile, Element]:
     """Read a launch file.
 
     Args:
@@ -63,7 +65,7 @@ def open_launch_file(name: str, state: State, tag: Tag | None = None) -> tuple[L
         _require_no_circle(name, tag)
     try:
         data = state.files.read(name, MAX_LAUNCH_BYTES)
-    except Refused as refused:
+    except LaunchRefused as refused:
         if refused.kind is Kind.OURS:
             raise
         words = f"Invalid roslaunch XML syntax: {refused.text}"
@@ -77,7 +79,7 @@ def open_launch_file(name: str, state: State, tag: Tag | None = None) -> tuple[L
     return launch_file, root
 
 
-def _take(tag: Tag, scope: Scope, depth: int) -> None:
+def _take(tag: LaunchTag, scope: Scope, depth: int) -> None:
     tag.state.budget.tag()
     if tag.name == "group":
         _take_group(tag, scope, depth)
@@ -90,7 +92,7 @@ def _take(tag: Tag, scope: Scope, depth: int) -> None:
         _unknown_tag(tag)
 
 
-def _take_group(tag: Tag, scope: Scope, depth: int) -> None:
+def _take_group(tag: LaunchTag, scope: Scope, depth: int) -> None:
     if not tag.applies(scope):
         return
     if depth >= MAX_GROUP_DEPTH:
@@ -102,7 +104,7 @@ def _take_group(tag: Tag, scope: Scope, depth: int) -> None:
     walk(tag.element, tag.launch_file, inner, tag.state, depth + 1)
 
 
-def _take_include(tag: Tag, scope: Scope) -> None:
+def _take_include(tag: LaunchTag, scope: Scope) -> None:
     if not tag.applies(scope):
         return
     tag.check_attributes(("file", "ns", "clear_params", "pass_all_args"))
@@ -123,7 +125,7 @@ def _take_include(tag: Tag, scope: Scope) -> None:
             _unknown_in_include(tag, child)
     try:
         _enter(tag, name, inner, passes_all=passes_all)
-    except Refused as refused:
+    except LaunchRefused as refused:
         refused.at(tag.place)
         if refused.kind is Kind.ARGUMENT:
             words = f"included file [{name}] requires the '{refused.text}' arg to be set"
@@ -134,10 +136,10 @@ def _take_include(tag: Tag, scope: Scope) -> None:
         raise refused.worded(Kind.SYNTAX, words) from None
 
 
-def _enter(tag: Tag, name: str, inner: Scope, *, passes_all: bool) -> None:
+def _enter(tag: LaunchTag, name: str, inner: Scope, *, passes_all: bool) -> None:
     try:
         launch_file, root = open_launch_file(name, tag.state, tag)
-    except Refused as refused:
+    except LaunchRefused as refused:
         raise refused.at(tag.place_of("file")) from None
     given = inner.enter(launch_file)
     walk(root, launch_file, inner, tag.state)
@@ -147,7 +149,7 @@ def _enter(tag: Tag, name: str, inner: Scope, *, passes_all: bool) -> None:
         raise _unused(unused, name, inner).at((culprits or [tag])[0].place)
 
 
-def _cleared_namespace(tag: Tag, scope: Scope) -> str | None:
+def _cleared_namespace(tag: LaunchTag, scope: Scope) -> str | None:
     """The namespace of a group or include; noted if its parameters are to be cleared."""
     namespace = namespace_of(tag, scope)
     if tag.flag("clear_params", tag.get("clear_params", scope) or None):
@@ -158,29 +160,29 @@ def _cleared_namespace(tag: Tag, scope: Scope) -> str | None:
     return namespace
 
 
-def _require_no_circle(name: str, tag: Tag) -> None:
+def _require_no_circle(name: str, tag: LaunchTag) -> None:
     around = [tag.launch_file, *(place.launch_file for place in tag.launch_file.chain())]
     if name in (launch_file.name for launch_file in around):
         what = f"{tag.state.files.shown(name)} includes itself"
         remedy = "Remove one of these includes, or give it an if= that ends the circle."
         lesson = Lesson(rule=TOO_MUCH, what=what, remedy=remedy)
         words = "maximum recursion depth exceeded"
-        raise Refused(Kind.OTHER, words, lesson, name="RecursionError")
+        raise LaunchRefused(Kind.OTHER, words, lesson, name="RecursionError")
     if len(around) > MAX_INCLUDE_DEPTH:
         what = f"more than {MAX_INCLUDE_DEPTH} launch files include each other in a chain"
         raise ours(TOO_MUCH, what, "Use fewer.")
 
 
-def _unused(unused: list[str], name: str, inner: Scope) -> Refused:
+def _unused(unused: list[str], name: str, inner: Scope) -> LaunchRefused:
     what = f"the included file declares no argument {' or '.join(map(repr, unused))}"
     remedy = "Remove it, or declare it there: <arg name=... default=.../>."
     if near := near_names(unused[0], inner.declared):
         remedy = f"Did you mean {near[0]!r}?"
     words = f"unused args [{', '.join(unused)}] for include of [{name}]"
-    return Refused(Kind.LOAD, words, Lesson(rule=ARGUMENT, what=what, remedy=remedy))
+    return LaunchRefused(Kind.LOAD, words, Lesson(rule=ARGUMENT, what=what, remedy=remedy))
 
 
-def _unknown_in_include(tag: Tag, child: Tag) -> None:
+def _unknown_in_include(tag: LaunchTag, child: LaunchTag) -> None:
     words = f"WARN: unrecognized '{child.name}' tag in <{tag.name}> tag"
     tag.state.warn(words, plain=True)
     what = f"<{child.name}> cannot stand in an <include>: it is ignored"
@@ -188,7 +190,7 @@ def _unknown_in_include(tag: Tag, child: Tag) -> None:
     tag.state.teach(lesson, child.place)
 
 
-def _note_stray_text(tag: Tag) -> None:
+def _note_stray_text(tag: LaunchTag) -> None:
     """Tell of text that nobody reads; most often it is a second `>`."""
     text, span = tag.element.text.strip(), tag.element.text_span
     if not text or span is None:
@@ -197,10 +199,10 @@ def _note_stray_text(tag: Tag) -> None:
     what = f"the text {shown!r} in <{tag.name}> is read by nobody"
     remedy = "Remove it, or make a comment of it: <!-- ... -->."
     lesson = Lesson(rule=STRAY_TEXT, what=what, remedy=remedy)
-    tag.state.teach(lesson, Place(launch_file=tag.launch_file, span=span))
+    tag.state.teach(lesson, LaunchPlace(launch_file=tag.launch_file, span=span))
 
 
-def _unknown_tag(tag: Tag) -> None:
+def _unknown_tag(tag: LaunchTag) -> None:
     tag.state.warn(f"unrecognized tag {tag.name}")
     known = [*_HANDLERS, "group"]
     near = near_names(tag.name, known)
@@ -209,7 +211,7 @@ def _unknown_tag(tag: Tag) -> None:
     tag.state.teach(Lesson(rule=UNKNOWN, what=what, remedy=remedy), tag.place)
 
 
-_HANDLERS: dict[str, Callable[[Tag, Scope], None]] = {
+_HANDLERS: dict[str, Callable[[LaunchTag, Scope], None]] = {
     "arg": take_argument,
     "env": take_environment,
     "include": _take_include,

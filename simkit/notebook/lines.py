@@ -11,7 +11,7 @@ from IPython.display import display
 from simkit.commands.command import Bounds, Call, ErrorText, texts
 from simkit.commands.errors import HelpShown, UsageError
 from simkit.commands.roslaunch import read
-from simkit.commands.table import COMMANDS, Entry, Place
+from simkit.commands.table import COMMANDS, Entry, TerminalPlace
 from simkit.errors import SimkitError
 from simkit.graph.process import ScriptNode
 from simkit.launch import LaunchError, listings, summary_of
@@ -157,7 +157,7 @@ def _lines() -> Mapping[str, Line]:
 
 
 def _described(entry: Entry) -> Line:
-    line: Callable[[Entry, list[str]], None] = here if entry.place is Place.HERE else shared
+    line: Callable[[Entry, list[str]], None] = here if entry.place is TerminalPlace.HERE else shared
     described = partial(line, entry)
     described.__doc__ = f"{entry.summary[:1].upper()}{entry.summary[1:]}.\n\n{line.__doc__}"
     return described

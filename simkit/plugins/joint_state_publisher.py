@@ -24,7 +24,7 @@ TOPIC = "joint_states"
 """In the namespace of the robot."""
 
 
-class JointStatePublisher(Plugin[JointStatePublisherParameters]):
+class GazeboJointStatePublisher(Plugin[JointStatePublisherParameters]):
     """Publishes positions and velocities of the joints that it is told, in that order.
 
     Positions are counted on through whole turns. A joint that is not in the list is not in the message,

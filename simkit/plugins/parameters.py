@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 from simkit.errors import near_names
 from simkit.plugins.errors import PluginError
 from simkit.plugins.site import Site
-from simkit.plugins.tags import SILENT, Tag, tags_of
+from simkit.plugins.tags import SILENT, TagField, tags_of
 from simkit.xml import Element
 
 T = TypeVar("T")
@@ -57,7 +57,7 @@ def place(element: Element, site: Site) -> str:
     return f"{site.file or site.model.name}:{element.span.line}:{element.span.column}"
 
 
-def _value(found: Tag, element: Element, site: Site) -> Any:
+def _value(found: TagField, element: Element, site: Site) -> Any:
     kind, text = type(found.default), element.text.strip()
     try:
         value = _READERS[kind](text)

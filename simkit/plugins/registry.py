@@ -49,7 +49,7 @@ _ENTRIES: tuple[PluginEntry, ...] = (
     PluginEntry(
         filename="libgazebo_ros_joint_state_publisher.so",
         module="simkit.plugins.joint_state_publisher",
-        class_name="JointStatePublisher",
+        class_name="GazeboJointStatePublisher",
         parameters=tags.JointStatePublisherParameters,
     ),
     PluginEntry(

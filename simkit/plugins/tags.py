@@ -40,7 +40,7 @@ class Names(enum.Enum):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Tag:
+class TagField:
     """What a field of a parameter class says of the tag that it comes from."""
 
     name: str
@@ -73,7 +73,7 @@ def tag(
     names: Names = Names.NOTHING,
 ) -> Any:
     """A field of a parameter class: type, default and bounds of one tag; see `Tag`."""
-    found = Tag(
+    found = TagField(
         name=name,
         default=default,
         text=text,
@@ -86,7 +86,7 @@ def tag(
     return dataclasses.field(default=default, metadata={"tag": found})
 
 
-def tags_of(parameters: type[Any]) -> dict[str, Tag]:
+def tags_of(parameters: type[Any]) -> dict[str, TagField]:
     """The tags that a parameter class reads, by the name of the field."""
     return {one.name: one.metadata["tag"] for one in dataclasses.fields(parameters)}
 

@@ -6,7 +6,7 @@ import math
 
 from simkit.gazebo.watching.ground import floor_height, foot, load_share, touching
 from simkit.gazebo.watching.motion import LOOK_S, Means, means, signed, turned
-from simkit.gazebo.watching.watcher import DriveWatcher, Finding, Scene
+from simkit.gazebo.watching.watcher import DriveWatcher, Observation, WatchedModel
 
 LOOKS = 6
 """It must go the wrong way for so many looks; the first one is for the motors to obey."""
@@ -22,11 +22,11 @@ class WrongWay(DriveWatcher):
     rule = "GZ-W02"
     is_said_by_rule = True
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: WatchedModel) -> None:
         super().__init__(scene)
         self._judged = (0, 0)
 
-    def look(self) -> Finding | None:
+    def look(self) -> Observation | None:
         """Whether it goes the wrong way; once for each way that it is told to go."""
         way = _way(self.drive.command())
         moments = [] if way == self._judged else self.motion.last(LOOKS)
@@ -35,7 +35,7 @@ class WrongWay(DriveWatcher):
         self._judged = way
         found = means(moments[1:])
         text = self._backward(found) or self._turned(found) or self._spinning(found)
-        return None if text is None else Finding(text=text)
+        return None if text is None else Observation(text=text)
 
     def _backward(self, found: Means) -> str | None:
         told, moved = found.command[0], found.moved[0]
@@ -88,11 +88,11 @@ TOLERANCE = 0.1
 class _SteadyDrive(DriveWatcher):
     """Looks at a robot that is told the same for a second, and whose wheels do it; once for each command."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: WatchedModel) -> None:
         super().__init__(scene)
         self._judged = (0.0, 0.0)
 
-    def look(self) -> Finding | None:
+    def look(self) -> Observation | None:
         """What is wrong with the speed."""
         if self.drive.command() == self._judged:
             return None
@@ -106,7 +106,7 @@ class _SteadyDrive(DriveWatcher):
         self._judged = moments[0].command
         return self.judge(found)
 
-    def judge(self, found: Means) -> Finding | None:
+    def judge(self, found: Means) -> Observation | None:
         """What is wrong with a speed, if the wheels do what they are told."""
         raise NotImplementedError
 
@@ -117,20 +117,20 @@ class WrongSize(_SteadyDrive):
     rule = "GZ-W03"
     is_said_by_rule = True
 
-    def judge(self, found: Means) -> Finding | None:
+    def judge(self, found: Means) -> Observation | None:
         """Whether the numbers of the tag explain the speed."""
         real = self.drive.real_diameter()
         grown = 1.0 if real is None else real / self.drive.diameter
         wide = self.drive.separation / max(self.drive.real_separation(), 1e-6)
         forward, turning = _share(found, 0), _share(found, 1)
         if real is not None and _is_off(grown) and _explains(forward, grown):
-            return Finding(
+            return Observation(
                 text=f"{self._told(found, 0, 'drive', 'm/s')}: <wheelDiameter> is {self.drive.diameter:.3g} m, and its "
                 f"wheels have {real:.3g} m. Write <wheelDiameter>{real:.3g}</wheelDiameter>"
             )
         if _is_off(wide) and _explains(turning, grown * wide):
             apart = self.drive.real_separation()
-            return Finding(
+            return Observation(
                 text=f"{self._told(found, 1, 'turn', 'rad/s')}: <wheelSeparation> is {self.drive.separation:.3g} m, and "
                 f"its wheels are {apart:.3g} m apart. Write <wheelSeparation>{apart:.3g}</wheelSeparation>"
             )
@@ -148,7 +148,7 @@ class Slipping(_SteadyDrive):
 
     rule = "GZ-W05"
 
-    def judge(self, found: Means) -> Finding | None:
+    def judge(self, found: Means) -> Observation | None:
         """Whether it is slower than its wheels roll."""
         real = self.drive.real_diameter()
         grown = 1.0 if real is None else real / self.drive.diameter
@@ -169,7 +169,7 @@ class Slipping(_SteadyDrive):
         bears = load_share(self.scene, [joint.plan.child for joint in self.drive.joints])
         if bears is None or bears == 0.0:  # its wheels are in the air, which another one says
             return None
-        return Finding(
+        return Observation(
             text=f"{self.model.name} is told to {speeds}, though its wheels turn as told: they slip. They bear "
             f"{bears:.0%} of its weight. Give them <mu1>1</mu1>, what drags on the floor <mu1>0</mu1>, and put "
             "the weight over them; or something is in the way"
@@ -201,11 +201,11 @@ class Drifting(DriveWatcher):
 
     rule = "GZ-W05"
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: WatchedModel) -> None:
         super().__init__(scene)
         self._looks = 0
 
-    def look(self) -> Finding | None:
+    def look(self) -> Observation | None:
         """Whether it creeps; asked once in 6 s of standing."""
         self._looks = 0 if any(self.drive.command()) else self._looks + 1
         if self._looks % STANDING_LOOKS or not self._looks:
@@ -218,7 +218,7 @@ class Drifting(DriveWatcher):
         turn = abs(turned(first.yaw, last.yaw))
         if way < FAR and turn < ROUND:
             return None
-        return Finding(
+        return Observation(
             text=f"{self.model.name} moves though nothing is commanded: {way:.2g} m and {math.degrees(turn):.2g} degrees "
             f"in {(STANDING_LOOKS - REST_LOOKS) * LOOK_S:g} s. Check the friction of its wheels (<mu1>1</mu1>), that all wheels "
             "and casters stand at one height, and that its inertias fit its shapes"
@@ -238,12 +238,12 @@ class WheelsInAir(DriveWatcher):
 
     rule = "GZ-W04"
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: WatchedModel) -> None:
         super().__init__(scene)
         self._looks = 0
         self._good_looks = 0
 
-    def look(self) -> Finding | None:
+    def look(self) -> Observation | None:
         """Whether wheels of a robot that stands touch nothing."""
         is_told = any(joint.command for joint in self.drive.joints)
         if not is_told or abs(self.model.twist[0][2]) > CALM:
@@ -257,7 +257,7 @@ class WheelsInAir(DriveWatcher):
         if self._looks < PATIENCE:
             return None
         links = ", ".join(repr(joint.plan.child) for joint in hanging)
-        return Finding(
+        return Observation(
             text=f"{self.model.name} is told to drive, and {links} {'touches' if len(hanging) == 1 else 'touch'} "
             f"nothing{self._gap(hanging[0].plan.child)}: it stands on {', '.join(map(repr, sorted(down)))}. Move the "
             "wheels down, or what it stands on up"

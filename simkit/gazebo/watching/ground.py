@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from simkit.gazebo.watching.watcher import Scene
+from simkit.gazebo.watching.watcher import WatchedModel
 from simkit.geometry import Vector
 from simkit.physics import Model, Plane, World
 from simkit.urdf.placed_shape import PlacedShape
@@ -63,7 +63,7 @@ def _placed_shapes(model: Model, body: str | None = None) -> Iterator[tuple[str,
                 yield shape.link, PlacedShape(shape.solid, frame @ shape.frame)
 
 
-def load_share(scene: Scene, bodies: Iterable[str]) -> float | None:
+def load_share(scene: WatchedModel, bodies: Iterable[str]) -> float | None:
     """The share of the weight of a model that some of its bodies bear; None if it weighs nothing.
 
     Args:
@@ -83,7 +83,7 @@ def load_share(scene: Scene, bodies: Iterable[str]) -> float | None:
     return max(0.0, borne) / weight
 
 
-def touching(scene: Scene) -> set[str]:
+def touching(scene: WatchedModel) -> set[str]:
     """The bodies of a model that touched something else in the last step."""
     name = scene.model.name
     found = set()

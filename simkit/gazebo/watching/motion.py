@@ -17,7 +17,7 @@ from simkit.urdf.wheel import round_part
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Drive:
+class DrivenWheels:
     """Wheels that a plugin drives."""
 
     model: Model
@@ -78,7 +78,7 @@ class Drive:
         return round_part((shape.solid, shape.frame) for shape in shapes)
 
 
-def drive_of(spawned: Spawned) -> Drive | None:
+def drive_of(spawned: Spawned) -> DrivenWheels | None:
     """The driven wheels of a model; of several drives those of the first."""
     for plugin in spawned.plugins:
         given = plugin.parameters
@@ -94,7 +94,7 @@ def drive_of(spawned: Spawned) -> Drive | None:
             case _:
                 continue
         model = spawned.model
-        return Drive(
+        return DrivenWheels(
             model=model,
             left=tuple(model.joint(name) for name in left),
             right=tuple(model.joint(name) for name in right),
@@ -155,7 +155,7 @@ class Motion:
         drive: Its wheels.
     """
 
-    def __init__(self, drive: Drive) -> None:
+    def __init__(self, drive: DrivenWheels) -> None:
         self._drive = drive
         self._moments: deque[Moment] = deque(maxlen=KEPT + 1)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from simkit.gazebo.watching.ground import Foot, floor_height, foot, is_inside
-from simkit.gazebo.watching.watcher import Finding, Scene, Watcher
+from simkit.gazebo.watching.watcher import Observation, WatchedModel, Watcher
 from simkit.graph.topics import Topic
 from simkit.msgs import message_class
 from simkit.physics import Mode, ModelJoint
@@ -21,22 +21,22 @@ class StartHeight(Watcher):
     rule = "GZ-W06"
 
     @classmethod
-    def is_for(cls, scene: Scene) -> bool:
+    def is_for(cls, scene: WatchedModel) -> bool:
         """Whether it can fall, or be pushed."""
         return scene.model.is_free
 
-    def look(self) -> Finding | None:
+    def look(self) -> Observation | None:
         """Where the lowest point is."""
         self.is_over = True
         floor, lowest = floor_height(self.scene.gazebo.world), foot(self.model)
         if floor is None or lowest is None:
             return None
         if lowest.z < floor - DEEP:
-            return Finding(text=self._in_the_floor(floor - lowest.z, lowest))
+            return Observation(text=self._in_the_floor(floor - lowest.z, lowest))
         drop = self._drop(lowest)
         if drop is None or drop <= HIGH:
             return None
-        return Finding(
+        return Observation(
             text=f"{self.model.name} starts {drop:.3g} m above what is below it, and falls; "
             f"with -z {self._height(-drop):.2f} it starts on it",
             is_hint=True,
@@ -78,16 +78,16 @@ class WeakJoints(Watcher):
     rule = "GZ-W04"
     is_said_by_rule = True
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: WatchedModel) -> None:
         super().__init__(scene)
         self._looks: dict[str, int] = {}
 
     @classmethod
-    def is_for(cls, scene: Scene) -> bool:
+    def is_for(cls, scene: WatchedModel) -> bool:
         """Whether it has joints, and plugins that may drive them."""
         return bool(scene.spawned.plugins and scene.model.joints)
 
-    def look(self) -> Finding | None:
+    def look(self) -> Observation | None:
         """Whether a motor has been at its bound for too long."""
         for name, joint in self.model.joints.items():
             if joint.mode in (Mode.FREE, Mode.POSITION):
@@ -95,7 +95,7 @@ class WeakJoints(Watcher):
             looks = self._looks.get(name, 0) + 1 if joint.is_saturated and _is_late(joint) else 0
             self._looks[name] = looks
             if looks >= PATIENCE:
-                return Finding(text=self._text(joint))
+                return Observation(text=self._text(joint))
         return None
 
     def _text(self, joint: ModelJoint) -> str:
@@ -135,7 +135,7 @@ class _JointStates(Watcher):
     """Looks at the topic `joint_states` of a robot."""
 
     @classmethod
-    def is_for(cls, scene: Scene) -> bool:
+    def is_for(cls, scene: WatchedModel) -> bool:
         """Whether it is a robot with joints."""
         return scene.spawned.robot is not None and bool(scene.model.joints)
 
@@ -152,7 +152,7 @@ class TwoPublishers(_JointStates):
 
     rule = "CTL-W07"
 
-    def look(self) -> Finding | None:
+    def look(self) -> Observation | None:
         """Whether another node publishes what the simulation does."""
         topic = self.topic()
         ours = self.scene.gazebo.node.name
@@ -160,7 +160,7 @@ class TwoPublishers(_JointStates):
         others = [name for name in names if name != ours]
         if topic is None or ours not in names or not others:
             return None
-        return Finding(
+        return Observation(
             text=f"{ours} and {', '.join(others)} both publish {topic.name}: in RViz {self.model.name} jumps between two "
             f"poses. The simulation knows where the joints are: do not start {' or '.join(others)} with it"
         )
@@ -172,14 +172,14 @@ class NoStates(_JointStates):
     rule = "CTL-W06"
     is_said_by_rule = True
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: WatchedModel) -> None:
         super().__init__(scene)
         self._start = {name: joint.position for name, joint in self.model.joints.items()}
         self._silent = list(self._start)
         self._last: bytes | None = None
         self._looks = 0
 
-    def look(self) -> Finding | None:
+    def look(self) -> Observation | None:
         """Whether a joint moves, and no message has named it."""
         topic = self.topic()
         if topic is None or not any(
@@ -195,7 +195,7 @@ class NoStates(_JointStates):
         if not moving:
             return None
         joint, every = self.model.joint(moving[0]), ", ".join(self._start)
-        return Finding(
+        return Observation(
             text=f"the joint {joint.name!r} of {self.model.name} has moved by {self._moved(joint.name):.2g}, and nobody "
             f"publishes it on {topic.name}: there is no transform from {joint.plan.child!r}. Without state: "
             f"{', '.join(moving)}. Add libgazebo_ros_joint_state_publisher.so with <jointName>{every}</jointName>"
@@ -230,16 +230,16 @@ class BlindLaser(Watcher):
     rule = "LAS-W01"
     is_said_by_rule = True
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: WatchedModel) -> None:
         super().__init__(scene)
         self._looks = 0
 
     @classmethod
-    def is_for(cls, scene: Scene) -> bool:
+    def is_for(cls, scene: WatchedModel) -> bool:
         """Whether it has a laser."""
         return any(isinstance(plugin, Laser) for plugin in scene.spawned.plugins)
 
-    def look(self) -> Finding | None:
+    def look(self) -> Observation | None:
         """What the lasers see of the robot."""
         self._looks += 1
         if self._looks < SETTLED:
@@ -247,7 +247,7 @@ class BlindLaser(Watcher):
         self.is_over = True
         lasers = [plugin for plugin in self.scene.spawned.plugins if isinstance(plugin, Laser)]
         texts = [text for laser in lasers if (text := self._seen(laser)) is not None]
-        return Finding(text="; ".join(texts)) if texts else None
+        return Observation(text="; ".join(texts)) if texts else None
 
     def _seen(self, laser: Laser) -> str | None:
         """What is wrong with what a laser sees."""

@@ -20,7 +20,7 @@ from simkit.gazebo.watching.robot_watchers import (
     TwoPublishers,
     WeakJoints,
 )
-from simkit.gazebo.watching.watcher import Finding, Scene, Watcher
+from simkit.gazebo.watching.watcher import Observation, WatchedModel, Watcher
 from simkit.graph.node import Timer
 from simkit.msgs import Duration
 from simkit.urdf.rules import check_robot
@@ -50,7 +50,7 @@ class Watch:
     def __init__(self, gazebo: Gazebo) -> None:
         self._gazebo = gazebo
         self._watchers: dict[str, list[Watcher]] = {}
-        self._scenes: dict[str, Scene] = {}
+        self._scenes: dict[str, WatchedModel] = {}
         self._warned: dict[str, frozenset[str]] = {}
         self._timer: Timer | None = None
         self._looked_ns = gazebo.world.time_ns
@@ -64,7 +64,7 @@ class Watch:
         self.forget(spawned)
         if spawned.model.plan.is_static:
             return
-        scene = Scene(self._gazebo, spawned)
+        scene = WatchedModel(self._gazebo, spawned)
         watchers = [kind(scene) for kind in WATCHERS if kind.is_for(scene)]
         self._watchers[spawned.name] = self._still_watching(scene, watchers)
         self._scenes[spawned.name] = scene
@@ -88,7 +88,7 @@ class Watch:
             self._timer.cancel()
             self._timer = None
 
-    def _still_watching(self, scene: Scene, watchers: list[Watcher]) -> list[Watcher]:
+    def _still_watching(self, scene: WatchedModel, watchers: list[Watcher]) -> list[Watcher]:
         """Let watchers look; those that have more to look at."""
         if watchers and scene.motion is not None:
             scene.motion.look()
@@ -101,7 +101,7 @@ class Watch:
                 left.append(one)
         return left
 
-    def _say(self, watcher: Watcher, finding: Finding) -> None:
+    def _say(self, watcher: Watcher, finding: Observation) -> None:
         if watcher.is_said_by_rule and watcher.rule in self._warnings(watcher.scene.spawned):
             return
         say = self._gazebo.node.info if finding.is_hint else self._gazebo.node.warn

@@ -7,11 +7,11 @@ from typing import ClassVar
 
 from simkit.gazebo.models import Spawned
 from simkit.gazebo.server import Gazebo
-from simkit.gazebo.watching.motion import Drive, Motion, drive_of
+from simkit.gazebo.watching.motion import DrivenWheels, Motion, drive_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Finding:
+class Observation:
     """Something that is wrong, or worth knowing."""
 
     text: str
@@ -20,7 +20,7 @@ class Finding:
     """Whether it may well be meant so."""
 
 
-class Scene:
+class WatchedModel:
     """What watchers look at: a model, and the world around it.
 
     Args:
@@ -50,18 +50,18 @@ class Watcher:
     is_said_by_rule: ClassVar[bool] = False
     """Whether it says what `check_urdf` says under this id; then it is silent if that has warned."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: WatchedModel) -> None:
         self.scene = scene
         self.model = scene.model
         self.is_over = False
         """Whether there is nothing to look at any more."""
 
     @classmethod
-    def is_for(cls, scene: Scene) -> bool:
+    def is_for(cls, scene: WatchedModel) -> bool:
         """Whether such a fault can happen to a model."""
         raise NotImplementedError
 
-    def look(self) -> Finding | None:
+    def look(self) -> Observation | None:
         """What is wrong, if it is; called right after spawning, and then every 0.1 s that the world moves."""
         raise NotImplementedError
 
@@ -69,14 +69,14 @@ class Watcher:
 class DriveWatcher(Watcher):
     """Watches a model that drives on wheels."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: WatchedModel) -> None:
         super().__init__(scene)
         if scene.drive is None or scene.motion is None:
             raise ValueError(f"{scene.model.name} has no wheels to watch")
-        self.drive: Drive = scene.drive
+        self.drive: DrivenWheels = scene.drive
         self.motion: Motion = scene.motion
 
     @classmethod
-    def is_for(cls, scene: Scene) -> bool:
+    def is_for(cls, scene: WatchedModel) -> bool:
         """Whether it has wheels, and can go anywhere."""
         return scene.drive is not None and scene.model.is_free

@@ -61,25 +61,25 @@ class ManagerClient:
             yield POLL_SECONDS
         return True
 
-    def call(self, service: str, kind: str, **fields: Any) -> Call:
+    def call(self, service: str, kind: str, **fields: Any) -> ServiceCall:
         """A call of a service."""
-        return Call(
+        return ServiceCall(
             service=self._node.resolve(self.shown(service)),
             type_name=f"controller_manager_msgs/{kind}",
             fields=fields,
         )
 
-    def load(self, name: str) -> Call:
+    def load(self, name: str) -> ServiceCall:
         """Load a controller."""
         return self.call("load_controller", "LoadController", name=name)
 
-    def unload(self, name: str) -> Call:
+    def unload(self, name: str) -> ServiceCall:
         """Unload a controller."""
         return self.call("unload_controller", "UnloadController", name=name)
 
     def switch(
         self, start: Sequence[str] = (), stop: Sequence[str] = (), *, strictness: int = STRICT
-    ) -> Call:
+    ) -> ServiceCall:
         """Start and stop controllers."""
         return self.call(
             "switch_controller",
@@ -89,7 +89,7 @@ class ManagerClient:
             strictness=strictness,
         )
 
-    def list(self) -> Call:
+    def list(self) -> ServiceCall:
         """List controllers."""
         return self.call("list_controllers", "ListControllers")
 
@@ -139,7 +139,7 @@ def why_no_manager(graph: Graph, name: str) -> str:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Call:
+class ServiceCall:
     """A call of a service."""
 
     service: str
@@ -150,7 +150,7 @@ class Call:
     """Of the request."""
 
 
-Routine: TypeAlias = Generator[float | Call, Any, None]
+Routine: TypeAlias = Generator[float | ServiceCall, Any, None]
 """Yields a time to wait [s], or a call; a call gives its response, or raises `ServiceFailed`."""
 
 
@@ -171,7 +171,7 @@ def run(node: Node, routine: Routine, *, after_shutdown: bool = False) -> None:
             wish = routine.send(value) if error is None else routine.throw(error)
         except StopIteration:
             return
-        if isinstance(wish, Call):
+        if isinstance(wish, ServiceCall):
             _call(node, wish, go_on)
         else:
             executor = node.graph.executor
@@ -180,7 +180,7 @@ def run(node: Node, routine: Routine, *, after_shutdown: bool = False) -> None:
     node.graph.executor.call_soon(go_on)
 
 
-def _call(node: Node, call: Call, go_on: Any) -> None:
+def _call(node: Node, call: ServiceCall, go_on: Any) -> None:
     kind: Any = service_class(call.type_name)
 
     def take(is_good: bool, data: bytes) -> None:

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from simkit.nodes.joint_state_publisher.settings import Crash, Settings, to_number
+from simkit.nodes.joint_state_publisher.settings import Crash, SliderSettings, to_number
 from simkit.xml import Element, parse_xml
 from simkit.xml.expat_words import words_of_expat
 
@@ -56,7 +56,7 @@ class Follower:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Joints:
+class RobotJoints:
     """What was found in a robot."""
 
     names: tuple[str, ...]
@@ -67,7 +67,7 @@ class Joints:
     """Those that follow others, by tag or by parameter."""
 
 
-def read_joints(settings: Settings, warn: Callable[[str], None]) -> Joints:
+def read_joints(settings: SliderSettings, warn: Callable[[str], None]) -> RobotJoints:
     """Find the joints of a robot.
 
     Args:
@@ -78,13 +78,13 @@ def read_joints(settings: Settings, warn: Callable[[str], None]) -> Joints:
         Crash: The text is not well-formed XML, or a number in it is none.
     """
     robot = _robot_element(settings.description)
-    joints = Joints(names=(), free={}, followers=_followers_of(settings))
+    joints = RobotJoints(names=(), free={}, followers=_followers_of(settings))
     names: list[str] = []
     for element in robot.all("joint"):
         if element.get("type") not in _LEFT_OUT:
             names.append(element.get("name") or "")
             _add(joints, element, settings, warn)
-    return Joints(names=tuple(names), free=joints.free, followers=joints.followers)
+    return RobotJoints(names=tuple(names), free=joints.free, followers=joints.followers)
 
 
 def _robot_element(text: str) -> Element:
@@ -109,7 +109,7 @@ def _robot_element(text: str) -> Element:
     return found
 
 
-def _followers_of(settings: Settings) -> dict[str, Follower]:
+def _followers_of(settings: SliderSettings) -> dict[str, Follower]:
     return {str(name): _follower(name, entry) for name, entry in settings.dependent_joints.items()}
 
 
@@ -128,7 +128,9 @@ def _follower(name: str, entry: Any) -> Follower:
     )
 
 
-def _add(joints: Joints, element: Element, settings: Settings, warn: Callable[[str], None]) -> None:
+def _add(
+    joints: RobotJoints, element: Element, settings: SliderSettings, warn: Callable[[str], None]
+) -> None:
     """Put a joint where it belongs; one without a range belongs nowhere."""
     name = element.get("name") or ""
     limits = _range(element)
@@ -147,7 +149,7 @@ def _add(joints: Joints, element: Element, settings: Settings, warn: Callable[[s
 
 
 def _free_joint(
-    name: str, element: Element, limits: tuple[float, float], settings: Settings
+    name: str, element: Element, limits: tuple[float, float], settings: SliderSettings
 ) -> FreeJoint:
     lower, upper = limits
     soft = _only(element, "safety_controller") if settings.use_smallest_joint_limits else None

@@ -7,7 +7,7 @@ from typing import Any
 from simkit.graph import Node
 from simkit.msgs import Duration, message_class
 from simkit.nodes.joint_state_publisher.joints import read_joints
-from simkit.nodes.joint_state_publisher.settings import Crash, Settings, read_settings
+from simkit.nodes.joint_state_publisher.settings import Crash, SliderSettings, read_settings
 from simkit.nodes.joint_state_publisher.table import JointTable
 from simkit.nodes.program import Program
 
@@ -35,7 +35,7 @@ class JointStatePublisher(Program):
             return
         self._begin(settings)
 
-    def _begin(self, settings: Settings) -> None:
+    def _begin(self, settings: SliderSettings) -> None:
         self._delta = settings.delta
         self.period = Duration.from_nsec(max(1, round(1e9 / settings.rate)))
         message = message_class("sensor_msgs/JointState")

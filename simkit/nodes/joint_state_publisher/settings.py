@@ -28,7 +28,7 @@ class Crash(SimkitError):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Settings:
+class SliderSettings:
     """What the parameters say."""
 
     description: str
@@ -63,13 +63,13 @@ def look_up(node: Node, name: str, default: Any = None) -> Any:
     return default
 
 
-def read_settings(node: Node) -> Settings:
+def read_settings(node: Node) -> SliderSettings:
     """The settings of a node.
 
     Raises:
         Crash: There is no robot, or a value is of no use.
     """
-    return Settings(
+    return SliderSettings(
         description=_description(node),
         rate=_positive(node, "rate", 10),
         source_list=tuple(map(str, _of_type(node, "source_list", list, []))),

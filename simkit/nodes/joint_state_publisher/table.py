@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from simkit.msgs import Time, message_class
-from simkit.nodes.joint_state_publisher.joints import Follower, FreeJoint, Joints
+from simkit.nodes.joint_state_publisher.joints import Follower, FreeJoint, RobotJoints
 from simkit.nodes.joint_state_publisher.settings import Crash
 
 
@@ -32,7 +32,7 @@ class JointTable:
         Crash: A chain of followers has no end, or ends at a joint that has no state.
     """
 
-    def __init__(self, joints: Joints) -> None:
+    def __init__(self, joints: RobotJoints) -> None:
         self.free = joints.free
         self._length = len(joints.free) + len(joints.followers)
         self._has_followers = bool(joints.followers)
@@ -109,7 +109,7 @@ class JointTable:
         return column
 
 
-def _rows(joints: Joints) -> Iterator[_Row]:
+def _rows(joints: RobotJoints) -> Iterator[_Row]:
     found: dict[str, _Row] = {name: _Row(name=name, joint=one) for name, one in joints.free.items()}
     for name in joints.names:
         if name not in found and name in joints.followers:
@@ -117,7 +117,7 @@ def _rows(joints: Joints) -> Iterator[_Row]:
         yield found.get(name) or _Row(name=name, joint=None)
 
 
-def _follow(name: str, joints: Joints, found: dict[str, _Row]) -> None:
+def _follow(name: str, joints: RobotJoints, found: dict[str, _Row]) -> None:
     """Find what a joint follows, and what those between follow; each once."""
     chain = {name: joints.followers[name]}
     master = joints.followers[name].parent

@@ -19,7 +19,7 @@ ROOT_INERTIA = (
 
 
 @dataclass(frozen=True, slots=True)
-class Segment:
+class LinkSegment:
     """One link and the joint that it hangs on."""
 
     joint: Joint
@@ -54,9 +54,9 @@ class Segment:
 class Segments:
     """All segments of a robot by name of their joint, sorted by it."""
 
-    fixed: dict[str, Segment]
+    fixed: dict[str, LinkSegment]
     """Those that never move."""
-    moving: dict[str, Segment]
+    moving: dict[str, LinkSegment]
     """Those whose joint has a position."""
     mimics: dict[str, Joint]
     """The joints that follow another one."""
@@ -74,8 +74,8 @@ def segments_of(
     """
     if robot.links[robot.root].inertial is not None:
         warn(ROOT_INERTIA.format(root=robot.root))
-    fixed: dict[str, Segment] = {}
-    moving: dict[str, Segment] = {}
+    fixed: dict[str, LinkSegment] = {}
+    moving: dict[str, LinkSegment] = {}
     for name, joint in sorted(_reachable(robot), key=lambda pair: pair[0]):
         if joint.type in (JointType.FLOATING, JointType.PLANAR):
             warn(f"Converting unknown joint type of joint '{name}' into a fixed joint")
@@ -85,7 +85,7 @@ def segments_of(
                 "This TF can not be published based on joint_states info"
             )
         else:
-            (moving if joint.moves else fixed)[name] = Segment(joint)
+            (moving if joint.moves else fixed)[name] = LinkSegment(joint)
     mimics = {name: robot.joints[name] for name in sorted(robot.joints)}
     return Segments(
         fixed=fixed,

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from simkit.msgs import Time, message_class
-from simkit.plugins.control.place import Place
+from simkit.plugins.control.place import ControllerPlace
 
 PENDING, ACTIVE, PREEMPTED, SUCCEEDED, ABORTED, REJECTED, PREEMPTING, RECALLING, RECALLED = range(9)
 """States of a goal, of actionlib_msgs/GoalStatus."""
@@ -59,7 +59,7 @@ class ActionServer:
 
     def __init__(
         self,
-        place: Place,
+        place: ControllerPlace,
         name: str,
         type_name: str,
         *,

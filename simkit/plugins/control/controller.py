@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 
 from simkit.msgs import Time
-from simkit.plugins.control.place import Place
+from simkit.plugins.control.place import ControllerPlace
 
 
 class ControllerState(enum.Enum):
@@ -31,7 +31,7 @@ class Controller:
         InitError: It cannot work so.
     """
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: ControllerPlace) -> None:
         self.place = place
         self.state = ControllerState.INITIALIZED
         self.claims: tuple[str, ...] = ()

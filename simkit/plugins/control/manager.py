@@ -14,7 +14,7 @@ from simkit.plugins.control.advice import missing_type, unknown_type
 from simkit.plugins.control.controller import Controller, ControllerState
 from simkit.plugins.control.hardware import RobotHardware
 from simkit.plugins.control.interfaces import FAMILIES, in_cpp
-from simkit.plugins.control.place import InitError, Place
+from simkit.plugins.control.place import ControllerPlace, InitError
 from simkit.plugins.control.registry import ControllerEntry, controllers
 from simkit.plugins.control.switching import Switch, SwitchRefused, plan_switch
 
@@ -25,7 +25,7 @@ class Loaded:
 
     entry: ControllerEntry
     """Its type."""
-    place: Place
+    place: ControllerPlace
     """What it was given."""
     controller: Controller
     """Itself."""
@@ -162,7 +162,7 @@ class ControllerManager:
         return known[kind]
 
     def _make(self, name: str, entry: ControllerEntry) -> bool:
-        place = Place(
+        place = ControllerPlace(
             self._node,
             self.hardware,
             root=self._root,

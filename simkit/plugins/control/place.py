@@ -33,7 +33,7 @@ class InitError(SimkitError):
         self.hint = hint
 
 
-class Place:
+class ControllerPlace:
     """The place of one controller.
 
     Args:

@@ -21,7 +21,7 @@ _READERS = ("robot_state_publisher", "state_publisher", "joint_state_publisher",
 
 
 @dataclass(frozen=True, kw_only=True)
-class LaunchFile:
+class CompanionLaunch:
     """One launch file."""
 
     companion: Companion
@@ -52,7 +52,7 @@ class LaunchFile:
         return found
 
 
-def launch_files(sheet: Sheet) -> list[LaunchFile]:
+def launch_files(sheet: Sheet) -> list[CompanionLaunch]:
     """The launch files beside a URDF."""
     return [_read(one) for one in sheet.companions if one.kind is CompanionKind.LAUNCH]
 
@@ -85,11 +85,11 @@ def _words(args: str) -> list[str]:
         return args.split()
 
 
-def _read(companion: Companion) -> LaunchFile:
+def _read(companion: Companion) -> CompanionLaunch:
     document = companion.document()
     elements = [] if document.root is None else list(document.root.walk())
     in_nodes = {id(child) for one in elements if one.name == "node" for child in one.children}
-    return LaunchFile(
+    return CompanionLaunch(
         companion=companion,
         document=document,
         parameters=tuple(one for one in elements if one.name == "param" and id(one) not in in_nodes),
@@ -112,7 +112,7 @@ class YamlText:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Controller:
+class ListedController:
     """One controller."""
 
     companion: Companion
@@ -137,7 +137,7 @@ class Faulty:
     """Where."""
 
 
-def controllers(companion: Companion) -> list[Controller] | Faulty:
+def controllers(companion: Companion) -> list[ListedController] | Faulty:
     """The controllers of a file, in its order; never raises."""
     import yaml  # takes 20 ms to load, and most calls have no YAML
 
@@ -157,7 +157,7 @@ def gains_below(companion: Companion) -> bool:
     return "pid_gains" in companion.text
 
 
-def _walk(companion: Companion, root: Node | None) -> Iterator[Controller]:
+def _walk(companion: Companion, root: Node | None) -> Iterator[ListedController]:
     waiting = [] if root is None else [(name, node, 1) for name, node in _items(root)]
     waiting.reverse()
     seen = 0
@@ -173,10 +173,10 @@ def _walk(companion: Companion, root: Node | None) -> Iterator[Controller]:
             waiting.extend((one, below, depth + 1) for one, below in reversed(_items(node)))
 
 
-def _controller(companion: Companion, name: YamlText, values: dict[str, Node]) -> Controller:
+def _controller(companion: Companion, name: YamlText, values: dict[str, Node]) -> ListedController:
     kind = values.get("type")
     joints = values.get("joints") or values.get("joint")
-    return Controller(
+    return ListedController(
         companion=companion,
         name=name,
         type=None if kind is None else _word(kind),

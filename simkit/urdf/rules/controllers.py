@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from simkit.diagnostics import Find, Severity, rule
-from simkit.urdf.rules.companions import Controller, Faulty, controllers, gains_below
+from simkit.urdf.rules.companions import Faulty, ListedController, controllers, gains_below
 from simkit.urdf.rules.plugin_names import joint_advice, moving_joints
 from simkit.urdf.rules.sheet import CompanionKind, Sheet
 from simkit.urdf.rules.vocabulary import nearest
@@ -132,7 +132,7 @@ def gains(sheet: Sheet) -> Iterator[Find]:
             )
 
 
-def _type_faults(controller: Controller, moving: list[str]) -> Iterator[Find]:
+def _type_faults(controller: ListedController, moving: list[str]) -> Iterator[Find]:
     name, kind = quoted(controller.name.text), controller.type
     if kind is None:
         yield Find(
@@ -161,7 +161,7 @@ def _type_faults(controller: Controller, moving: list[str]) -> Iterator[Find]:
     yield from _no_joints(controller, kind.text.rpartition("/")[2], moving)
 
 
-def _no_joints(controller: Controller, kind: str, moving: list[str]) -> Iterator[Find]:
+def _no_joints(controller: ListedController, kind: str, moving: list[str]) -> Iterator[Find]:
     """A controller of a kind that needs joints, and names none."""
     wanted = "joints" if kind in _GROUP else "joint" if kind in _SINGLE else None
     if wanted is None or controller.joints:
@@ -179,7 +179,7 @@ def _no_joints(controller: Controller, kind: str, moving: list[str]) -> Iterator
 
 
 def _joint_faults(
-    sheet: Sheet, controller: Controller, offered: Mapping[str, str | None], moving: list[str]
+    sheet: Sheet, controller: ListedController, offered: Mapping[str, str | None], moving: list[str]
 ) -> Iterator[Find]:
     family = "" if controller.type is None else controller.type.text.partition("/")[0]
     needed = _NEEDED.get(family)
@@ -211,14 +211,14 @@ def _joint_faults(
         )
 
 
-def _fitting(interface: str, controller: Controller) -> str:
+def _fitting(interface: str, controller: ListedController) -> str:
     """A type of controller for an interface."""
     kind = "JointTrajectoryController" if controller.type is None else controller.type.text.rpartition("/")[2]  # fmt: skip
     family = next((one for one, needs in _NEEDED.items() if needs == interface), None)
     return "a controller for that interface" if family is None else f"{family}/{kind}"
 
 
-def _lacks_gains(controller: Controller) -> bool:
+def _lacks_gains(controller: ListedController) -> bool:
     kind = "" if controller.type is None else controller.type.text
     family, _, name = kind.partition("/")
     if family not in ("effort_controllers", "velocity_controllers"):
@@ -231,7 +231,7 @@ def _lacks_gains(controller: Controller) -> bool:
     return name in (*_GROUP, *_SINGLE) and name not in feeds_through and not has_gains
 
 
-def _gains_remedy(controller: Controller) -> str:
+def _gains_remedy(controller: ListedController) -> str:
     is_group = controller.type is not None and controller.type.text.endswith(_GROUP)
     values = "{p: 100.0, i: 0.01, d: 10.0}"
     if not is_group:

@@ -9,7 +9,7 @@ from simkit.geometry import Transform, Vector
 from simkit.plugins.registry import plugins
 from simkit.plugins.tags import tags_of
 from simkit.urdf.rules.bodies import Standing, standing_shapes, zero_pose
-from simkit.urdf.rules.entries import JointEntry, PluginEntry
+from simkit.urdf.rules.entries import JointEntry, PluginElement
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.tree_facts import is_whole
 from simkit.urdf.rules.wording import read_number
@@ -47,7 +47,7 @@ class Wheel:
 class Drive:
     """A drive plugin whose joints all exist."""
 
-    plugin: PluginEntry
+    plugin: PluginElement
     left: tuple[Wheel, ...]
     right: tuple[Wheel, ...]
     base: str
@@ -102,7 +102,7 @@ def middle_of(wheels: tuple[Wheel, ...]) -> Vector:
     return (x, y, z)
 
 
-def _base(sheet: Sheet, plugin: PluginEntry, standing: dict[str, Standing]) -> str | None:
+def _base(sheet: Sheet, plugin: PluginElement, standing: dict[str, Standing]) -> str | None:
     """The base frame that the plugin names if it is a link, else the root of the tree."""
     element = plugin.parameter("robotBaseFrame")
     named = "" if element is None else element.text.strip().lstrip("/")
@@ -113,7 +113,7 @@ def _base(sheet: Sheet, plugin: PluginEntry, standing: dict[str, Standing]) -> s
 
 def _wheel(
     sheet: Sheet,
-    plugin: PluginEntry,
+    plugin: PluginElement,
     parameter: str,
     standing: dict[str, Standing],
     base: str | None,

@@ -141,7 +141,7 @@ class GazeboEntry:
 
 
 @dataclass(frozen=True, kw_only=True)
-class PluginEntry:
+class PluginElement:
     """A `<plugin>` anywhere in a `<gazebo>`."""
 
     element: Element

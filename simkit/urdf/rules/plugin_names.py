@@ -8,7 +8,7 @@ from simkit.diagnostics import Find, Severity, rule
 from simkit.plugins.registry import plugins
 from simkit.plugins.tags import Names, tags_of
 from simkit.urdf.rules.bodies import parents_by_fixed_joint
-from simkit.urdf.rules.entries import PluginEntry
+from simkit.urdf.rules.entries import PluginElement
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.wording import listed, meant, quoted, shown
 from simkit.xml import Element
@@ -78,7 +78,9 @@ def plugin_names_nothing(sheet: Sheet) -> Iterator[Find]:
                 yield _no_frame(sheet, plugin, name, value)
 
 
-def _no_joint(sheet: Sheet, plugin: PluginEntry, name: str, value: str, moving: list[str]) -> Find:
+def _no_joint(
+    sheet: Sheet, plugin: PluginElement, name: str, value: str, moving: list[str]
+) -> Find:
     element = plugin.parameter(name)
     joint = sheet.joint_by_name.get(value)
     what = f"<{name}> names {quoted(value)}, and there is no such joint"
@@ -100,7 +102,7 @@ def _no_joint(sheet: Sheet, plugin: PluginEntry, name: str, value: str, moving: 
     )
 
 
-def _no_link(sheet: Sheet, plugin: PluginEntry, name: str, value: str) -> Find:
+def _no_link(sheet: Sheet, plugin: PluginElement, name: str, value: str) -> Find:
     element = plugin.parameter(name)
     return Find(
         plugin.element if element is None else element.text_span or element,
@@ -131,7 +133,7 @@ def _lumped_link(element: Element, value: str, lumped: dict[str, str]) -> Find:
     )
 
 
-def _no_frame(sheet: Sheet, plugin: PluginEntry, name: str, value: str) -> Find:
+def _no_frame(sheet: Sheet, plugin: PluginElement, name: str, value: str) -> Find:
     element = plugin.parameter(name)
     what = f"<{name}> names {quoted(value)}, and no link has that name"
     if element is None:

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping
 
 from simkit.diagnostics import Find, Severity, rule
 from simkit.plugins.registry import plugins
-from simkit.plugins.tags import Names, Tag, tags_of
-from simkit.urdf.rules.entries import PluginEntry
+from simkit.plugins.tags import Names, TagField, tags_of
+from simkit.urdf.rules.entries import PluginElement
 from simkit.urdf.rules.plugin_words import (
     NEW_GAZEBO,
     NOT_HERE,
@@ -148,7 +148,7 @@ def plugin_parameter(sheet: Sheet) -> Iterator[Find]:
                 yield _missing(sheet, plugin, tag)
 
 
-def _no_filename(plugin: PluginEntry) -> Find:
+def _no_filename(plugin: PluginElement) -> Find:
     return Find(
         plugin.element,
         what=f"the plugin {quoted(plugin.name)} has no filename",
@@ -175,7 +175,7 @@ def _meant_library(filename: str) -> str | None:
     return f"libgazebo_ros_{near}.so" if is_near else None
 
 
-def _is_in_place(plugin: PluginEntry, sensor: str | None) -> bool:
+def _is_in_place(plugin: PluginElement, sensor: str | None) -> bool:
     parent = plugin.element.parent
     if sensor is None:
         return parent is plugin.gazebo.element and not plugin.gazebo.reference
@@ -191,7 +191,7 @@ def _home(sensor: str | None) -> str:
     return f'in a <sensor type="{sensor}"> in a <gazebo reference="...">'
 
 
-def _place_of(plugin: PluginEntry) -> str:
+def _place_of(plugin: PluginElement) -> str:
     parent = plugin.element.parent
     if parent is not None and parent.name == "sensor":
         return f'in a <sensor type="{shown(parent.get("type") or "")}">'
@@ -204,7 +204,7 @@ def _place_of(plugin: PluginEntry) -> str:
     )
 
 
-def _unread(filename: str, element: Element, tags: Mapping[str, Tag]) -> Iterator[Find]:
+def _unread(filename: str, element: Element, tags: Mapping[str, TagField]) -> Iterator[Find]:
     name = element.name
     known = (*read_elsewhere(filename), *tags)
     meant = other_spellings(filename).get(name) or (
@@ -225,14 +225,14 @@ def _unread(filename: str, element: Element, tags: Mapping[str, Tag]) -> Iterato
     )
 
 
-def _default_of(tag: Tag | None) -> str:
+def _default_of(tag: TagField | None) -> str:
     if tag is None or tag.name not in _REAL:
         return ""
     unit = "N m" if "orque" in tag.name else "m"
     return f": the default of <{tag.name}> stays, {tag.default:g} {unit}"
 
 
-def _bad_value(element: Element, tag: Tag) -> Iterator[Find]:
+def _bad_value(element: Element, tag: TagField) -> Iterator[Find]:
     text, is_bool = element.text.strip(), isinstance(tag.default, bool)
     problem = ""
     if is_bool and text.lower() not in _BOOLS:
@@ -250,7 +250,7 @@ def _bad_value(element: Element, tag: Tag) -> Iterator[Find]:
         )
 
 
-def _bad_number(number: float | None, tag: Tag) -> str:
+def _bad_number(number: float | None, tag: TagField) -> str:
     if number is None:
         return "is not a number"
     if number < tag.at_least:
@@ -258,7 +258,7 @@ def _bad_number(number: float | None, tag: Tag) -> str:
     return "" if number > tag.above else f"must be more than {tag.above:g}"
 
 
-def _missing(sheet: Sheet, plugin: PluginEntry, tag: Tag) -> Find:
+def _missing(sheet: Sheet, plugin: PluginElement, tag: TagField) -> Find:
     value = "..."
     if tag.names is Names.JOINTS:
         names = (joint.name for joint in sheet.joints if joint.moves and joint.name)

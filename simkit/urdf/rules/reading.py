@@ -13,7 +13,7 @@ from simkit.urdf.rules.entries import (
     LinkEntry,
     MaterialEntry,
     OriginEntry,
-    PluginEntry,
+    PluginElement,
     TransmissionEntry,
 )
 from simkit.urdf.rules.vocabulary import (
@@ -83,10 +83,12 @@ def read_gazebo(element: Element) -> GazeboEntry:
     return GazeboEntry(element=element, reference=element.get("reference"))
 
 
-def read_plugins(gazebo: GazeboEntry) -> list[PluginEntry]:
+def read_plugins(gazebo: GazeboEntry) -> list[PluginElement]:
     """The plugins in a `<gazebo>`, in its sensors too."""
     return [
-        PluginEntry(element=one, gazebo=gazebo, name=one.get("name"), filename=one.get("filename"))
+        PluginElement(
+            element=one, gazebo=gazebo, name=one.get("name"), filename=one.get("filename")
+        )
         for one in gazebo.element.walk()
         if one.name == "plugin"
     ]

@@ -18,7 +18,7 @@ from simkit.urdf.rules.entries import (
     JointEntry,
     LinkEntry,
     MaterialEntry,
-    PluginEntry,
+    PluginElement,
     TransmissionEntry,
 )
 from simkit.urdf.rules.reading import (
@@ -112,7 +112,7 @@ class Sheet:
     """All materials, those of the robot first."""
     gazebo: tuple[GazeboEntry, ...] = ()
     """All `<gazebo>` of the robot."""
-    plugins: tuple[PluginEntry, ...] = ()
+    plugins: tuple[PluginElement, ...] = ()
     """All plugins in them."""
     transmissions: tuple[TransmissionEntry, ...] = ()
     """All transmissions."""

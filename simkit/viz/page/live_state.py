@@ -37,7 +37,7 @@ class NewsSource(Protocol):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class State:
+class SceneState:
     """A scene and where its frames are now."""
 
     number: int
@@ -49,7 +49,7 @@ class State:
     marks: tuple[Marks, ...] = ()
     """Points and lines as they are now."""
 
-    def news(self, known: State | None) -> str | None:
+    def news(self, known: SceneState | None) -> str | None:
         """What a viewer still has to be told as JSON; None if it knows everything.
 
         Args:
@@ -96,14 +96,14 @@ class LiveNews:
         self.scene = source.scene()
         self.state = self._made(number=0)
 
-    def look(self) -> State:
+    def look(self) -> SceneState:
         """What there is to be seen now."""
         frames = self._source.frames()
         if self._features(frames) != self._known or _has_left(frames, self.scene.stage):
             self.scene = self._source.scene()
             self.state = self._made(number=self.state.number + 1)
         else:
-            self.state = State(
+            self.state = SceneState(
                 number=self.state.number,
                 scene=self.state.scene,
                 poses=_poses(frames),
@@ -111,11 +111,11 @@ class LiveNews:
             )
         return self.state
 
-    def _made(self, *, number: int) -> State:
+    def _made(self, *, number: int) -> SceneState:
         self._known = self._features(self.scene.tf)
         text = json.dumps(scene_data(self.scene), allow_nan=False, separators=(",", ":"))
         poses, marks = _poses(self.scene.tf), self.scene.marks
-        return State(number=number, scene=text, poses=poses, marks=marks)
+        return SceneState(number=number, scene=text, poses=poses, marks=marks)
 
     def _features(self, frames: TfScene) -> tuple[object, ...]:
         """Everything but the poses."""

@@ -15,7 +15,7 @@ from typing import Any, Final
 import anywidget
 import traitlets
 
-from simkit.viz.page.live_state import LiveNews, NewsSource, State
+from simkit.viz.page.live_state import LiveNews, NewsSource, SceneState
 from simkit.viz.page.scene_data import scene_data
 from simkit.viz.page.view_page import LIVE_STATUS, page_height, view_page
 
@@ -91,7 +91,7 @@ class SceneWidget(anywidget.AnyWidget):
         """Leave the last moment as it is, and say so."""
         self.status = OVER
 
-    def _publish(self, state: State) -> None:
+    def _publish(self, state: SceneState) -> None:
         if state.number != self._sent.number:
             self.scene = (
                 json.dumps({"number": state.number})[:-1] + f',"scene":{state.scene},"news":{{}}}}'

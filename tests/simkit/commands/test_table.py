@@ -11,10 +11,10 @@ import pytest
 from simkit import Simulation, UnknownNameError
 from simkit.commands.command import Call
 from simkit.commands.errors import ToolError
-from simkit.commands.table import COMMANDS, Place, run_command
+from simkit.commands.table import COMMANDS, TerminalPlace, run_command
 from simkit.notebook.lines import LINES
 
-TOOLS = [name for name, entry in COMMANDS.items() if entry.place is Place.SHARED]
+TOOLS = [name for name, entry in COMMANDS.items() if entry.place is TerminalPlace.SHARED]
 
 
 @pytest.mark.parametrize("name", COMMANDS)

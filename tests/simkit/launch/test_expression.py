@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from simkit.launch.expression import evaluate_expression
-from simkit.launch.refusal import Kind, Refused
+from simkit.launch.refusal import Kind, LaunchRefused
 
 ARGUMENTS = {"x": 3, "name": "robot", "flag": True, "speed": 0.5}
 FUNCTIONS = {"arg": lambda name: ARGUMENTS[name], "find": lambda package: f"/ws/{package}"}
@@ -66,7 +66,7 @@ def test_what_launch_files_are_written_with(text, value):
     ],
 )
 def test_python_has_the_word(text, words, kind):
-    with pytest.raises(Refused) as caught:
+    with pytest.raises(LaunchRefused) as caught:
         calculate(text)
     assert caught.value.text == words or "takes exactly one argument" in caught.value.text
     if kind is not None:
@@ -113,7 +113,7 @@ def test_python_has_the_word(text, words, kind):
 )
 def test_nothing_else_is_done_and_nothing_hangs(text):
     start = time.monotonic()
-    with pytest.raises(Refused) as caught:
+    with pytest.raises(LaunchRefused) as caught:
         calculate(text)
     assert time.monotonic() - start < 30.0
     assert caught.value.lesson.remedy
@@ -139,6 +139,6 @@ def test_any_text_has_a_value_or_a_clear_error(text):
     told = ""
     try:
         told = f"value {calculate(text)}"
-    except Refused as refused:
+    except LaunchRefused as refused:
         told = refused.lesson.what
     assert told

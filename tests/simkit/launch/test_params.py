@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from simkit.launch.refusal import Refused
+from simkit.launch.refusal import LaunchRefused
 from simkit.launch.values import convert
 
 NODE = '<node name="t" pkg="p" type="x">{}</node>'
@@ -63,7 +63,7 @@ def test_a_wrong_value_is_refused_and_nothing_else(text, type_name):
     told = ""
     try:
         told = f"value {convert(text, type_name)}"
-    except Refused as refused:
+    except LaunchRefused as refused:
         told = refused.lesson.remedy
     assert told
 

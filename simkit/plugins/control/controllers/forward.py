@@ -10,7 +10,7 @@ from typing import Any
 
 from simkit.msgs import message_class
 from simkit.plugins.control.controller import Controller
-from simkit.plugins.control.place import InitError, Place
+from simkit.plugins.control.place import ControllerPlace, InitError
 
 NO_GROUP_JOINT = "Exception thrown: Could not find resource '{joint}' in '{interface}'."
 NO_JOINT = (
@@ -30,7 +30,7 @@ class ForwardController(Controller):
         InitError: It has no joint.
     """
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: ControllerPlace) -> None:
         super().__init__(place)
         self.joint = place.joint(joint_name(place), NO_JOINT)
         self.claims = (self.joint.name,)
@@ -72,7 +72,7 @@ class ForwardGroup(Controller):
         InitError: It has no joints.
     """
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: ControllerPlace) -> None:
         super().__init__(place)
         self.claims = group_names(place)
         self.joints = [place.joint(name, NO_GROUP_JOINT) for name in self.claims]
@@ -107,7 +107,7 @@ class HoldingGroup(ForwardGroup):
         self.targets = [one.position for one in self.joints]
 
 
-def joint_name(place: Place) -> str:
+def joint_name(place: ControllerPlace) -> str:
     """The parameter `joint` of a controller.
 
     Raises:
@@ -123,7 +123,7 @@ def joint_name(place: Place) -> str:
     return name
 
 
-def group_names(place: Place) -> tuple[str, ...]:
+def group_names(place: ControllerPlace) -> tuple[str, ...]:
     """The parameter `joints` of a group.
 
     Raises:
@@ -137,7 +137,7 @@ def group_names(place: Place) -> tuple[str, ...]:
     return place.names("joints")
 
 
-def group_targets(place: Place, names: tuple[str, ...], data: Any) -> list[float] | None:
+def group_targets(place: ControllerPlace, names: tuple[str, ...], data: Any) -> list[float] | None:
     """The numbers of a command for a group; None if they are refused."""
     if len(data) != len(names):
         place.node.error(
@@ -149,7 +149,7 @@ def group_targets(place: Place, names: tuple[str, ...], data: Any) -> list[float
     return list(data) if all(is_finite(place, one) for one in data) else None
 
 
-def is_finite(place: Place, value: float) -> bool:
+def is_finite(place: ControllerPlace, value: float) -> bool:
     """Whether a command is a number; says so if not."""
     if not math.isfinite(value):
         place.node.error(

@@ -10,7 +10,7 @@ from typing import Any
 from simkit.msgs import message_class
 from simkit.plugins.control.controller import Controller, Due, stamp
 from simkit.plugins.control.joint_drive import JointHandle
-from simkit.plugins.control.place import InitError, Place
+from simkit.plugins.control.place import ControllerPlace, InitError
 
 _TYPE = "sensor_msgs/JointState"
 
@@ -25,7 +25,7 @@ class JointStateController(Controller):
         InitError: It has no publish_rate.
     """
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: ControllerPlace) -> None:
         super().__init__(place)
         if place.parameter("publish_rate") is None:
             raise InitError(
@@ -60,7 +60,7 @@ class JointStateController(Controller):
         self._publisher.publish(message)
 
 
-def _warn_of_others(place: Place, topic: str) -> None:
+def _warn_of_others(place: ControllerPlace, topic: str) -> None:
     """Say who publishes the positions already: with two of them a robot flickers in RViz."""
     found = place.node.graph.topics.get(topic)
     others = sorted({one.node_name for one in found.publishers}) if found else []
@@ -72,7 +72,7 @@ def _warn_of_others(place: Place, topic: str) -> None:
         )
 
 
-def _extra_joints(place: Place) -> list[JointHandle]:
+def _extra_joints(place: ControllerPlace) -> list[JointHandle]:
     """Joints that nobody moves, for the parameter `extra_joints`."""
     given = place.parameter("extra_joints", [])
     if not isinstance(given, list):
@@ -80,7 +80,7 @@ def _extra_joints(place: Place) -> list[JointHandle]:
     return [_extra_joint(place, one) for one in given]
 
 
-def _extra_joint(place: Place, given: Any) -> JointHandle:
+def _extra_joint(place: ControllerPlace, given: Any) -> JointHandle:
     if not isinstance(given, dict) or "name" not in given:
         raise InitError(f"Extra joint {given!r} has no name (namespace: {place.namespace}).")
     numbers = [given.get(key, 0.0) for key in ("position", "velocity", "effort")]

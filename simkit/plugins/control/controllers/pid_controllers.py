@@ -21,7 +21,7 @@ from simkit.plugins.control.controllers.forward import (
 from simkit.plugins.control.joint_drive import JointHandle, position_error
 from simkit.plugins.control.limits import JointLimits
 from simkit.plugins.control.pid import NO_GAIN, Pid, read_gains
-from simkit.plugins.control.place import InitError, Place
+from simkit.plugins.control.place import ControllerPlace, InitError
 from simkit.urdf import Joint
 
 EVERY = 10
@@ -39,7 +39,7 @@ class PidController(Controller):
         InitError: It has no joint or no gains.
     """
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: ControllerPlace) -> None:
         super().__init__(place)
         name = joint_name(place)
         self.pid = make_pid(place, "pid")
@@ -98,7 +98,7 @@ class PositionPid(PidController):
         InitError: It has no joint or no gains, or the URDF does not have the joint.
     """
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: ControllerPlace) -> None:
         super().__init__(place)
         self._urdf = urdf_joint(place, self.joint.name)
 
@@ -150,7 +150,7 @@ class PositionPidGroup(Controller):
         InitError: It has no joints, or one has no gains.
     """
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: ControllerPlace) -> None:
         super().__init__(place)
         self.claims = group_names(place)
         self._joints = [place.joint(name, NO_GROUP_JOINT) for name in self.claims]
@@ -178,7 +178,7 @@ class PositionPidGroup(Controller):
             self._targets = targets
 
 
-def make_pid(place: Place, key: str) -> Pid:
+def make_pid(place: ControllerPlace, key: str) -> Pid:
     """The PID of the gains below a parameter.
 
     Raises:
@@ -196,7 +196,7 @@ def make_pid(place: Place, key: str) -> Pid:
     return Pid(gains)
 
 
-def urdf_joint(place: Place, name: str) -> Joint:
+def urdf_joint(place: ControllerPlace, name: str) -> Joint:
     """A joint as the URDF has it.
 
     Raises:

@@ -11,7 +11,7 @@ from typing import Protocol
 from simkit.plugins.control.interfaces import POSITION
 from simkit.plugins.control.joint_drive import JointHandle
 from simkit.plugins.control.pid import NO_GAIN, Gains, Pid, read_gains
-from simkit.plugins.control.place import Place
+from simkit.plugins.control.place import ControllerPlace
 from simkit.plugins.control.trajectory.spline import State
 
 
@@ -45,7 +45,7 @@ class PositionAdapter:
 class PidAdapter:
     """Commands speeds or efforts that make the error small."""
 
-    def __init__(self, place: Place, joints: Sequence[JointHandle]) -> None:
+    def __init__(self, place: ControllerPlace, joints: Sequence[JointHandle]) -> None:
         self._joints = joints
         self._pids = [_pid(place, joint.name) for joint in joints]
         self._forward = [place.number(f"velocity_ff/{joint.name}", 0.0) for joint in joints]
@@ -64,12 +64,12 @@ class PidAdapter:
             joint.command = desired[number].velocity * self._forward[number] + push
 
 
-def make_adapter(place: Place, joints: Sequence[JointHandle]) -> Adapter:
+def make_adapter(place: ControllerPlace, joints: Sequence[JointHandle]) -> Adapter:
     """The adapter for the interface of a controller."""
     return PositionAdapter(joints) if place.interface == POSITION else PidAdapter(place, joints)
 
 
-def _pid(place: Place, joint: str) -> Pid:
+def _pid(place: ControllerPlace, joint: str) -> Pid:
     namespace = f"{place.namespace}/gains/{joint}"
     gains = read_gains(place.node.graph.params, namespace)
     if gains is None:

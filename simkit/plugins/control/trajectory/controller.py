@@ -13,14 +13,14 @@ from simkit.msgs import message_class, service_class
 from simkit.plugins.control.action_server import ActionServer, ServerGoal
 from simkit.plugins.control.angles import shortest_angular_distance
 from simkit.plugins.control.controller import Controller, Due, stamp
-from simkit.plugins.control.place import Place
+from simkit.plugins.control.place import ControllerPlace
 from simkit.plugins.control.trajectory import goals
 from simkit.plugins.control.trajectory.adapter import make_adapter
 from simkit.plugins.control.trajectory.command import TrajectoryCommand, TrajectoryRefused
 from simkit.plugins.control.trajectory.reading import fill_states, read_command, read_tolerances
 from simkit.plugins.control.trajectory.replacement import (
+    ControlledJoints,
     Instant,
-    Joints,
     hold,
     replace_trajectories,
     stop,
@@ -44,11 +44,11 @@ class JointTrajectoryController(Controller):
         InitError: Its parameters do not fit the robot.
     """
 
-    def __init__(self, place: Place) -> None:
+    def __init__(self, place: ControllerPlace) -> None:
         super().__init__(place)
         settings = read_settings(place)
         self._settings = settings
-        self._joints: Joints = settings.joints
+        self._joints: ControlledJoints = settings.joints
         self.claims = self._joints.names
         self._handles = [place.joint(name, _NO_JOINT) for name in self.claims]
         self._adapter = make_adapter(place, self._handles)

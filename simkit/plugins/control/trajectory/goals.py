@@ -13,9 +13,9 @@ from simkit.graph import Timer
 from simkit.msgs import message_class
 from simkit.plugins.control.action_server import ActionServer, ServerGoal
 from simkit.plugins.control.controller import stamp
-from simkit.plugins.control.place import Place
+from simkit.plugins.control.place import ControllerPlace
 from simkit.plugins.control.trajectory.reading import fill_states
-from simkit.plugins.control.trajectory.segment import Segment
+from simkit.plugins.control.trajectory.segment import MotionSegment
 from simkit.plugins.control.trajectory.spline import State
 
 SUCCESSFUL, INVALID_GOAL, INVALID_JOINTS = 0, -1, -2
@@ -47,7 +47,11 @@ class Goals:
     """
 
     def __init__(
-        self, place: Place, server: ActionServer, names: Sequence[str], monitor_rate: float
+        self,
+        place: ControllerPlace,
+        server: ActionServer,
+        names: Sequence[str],
+        monitor_rate: float,
     ) -> None:
         self._place = place
         self._server = server
@@ -80,7 +84,7 @@ class Goals:
 
     def look(
         self,
-        segments: Sequence[Segment],
+        segments: Sequence[MotionSegment],
         uptime_ns: int,
         errors: Sequence[State],
         last_ends_ns: Sequence[int],
@@ -121,7 +125,7 @@ class Goals:
         fill_states(feedback, desired, actual, error)
         self._watch.feedback = feedback
 
-    def _look_at_end(self, name: str, segment: Segment, error: State, uptime_ns: int) -> None:
+    def _look_at_end(self, name: str, segment: MotionSegment, error: State, uptime_ns: int) -> None:
         tolerances = segment.tolerances
         if tolerances.goal.allows(error):
             self._done.add(name)

@@ -17,7 +17,7 @@ from simkit.plugins.control.trajectory.checking import (
 )
 from simkit.plugins.control.trajectory.command import TrajectoryCommand
 from simkit.plugins.control.trajectory.segment import (
-    Segment,
+    MotionSegment,
     Trajectory,
     find_segment,
     sample,
@@ -28,7 +28,7 @@ from simkit.plugins.control.trajectory.tolerances import JointTolerances
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Joints:
+class ControlledJoints:
     """What the controller knows of its joints."""
 
     names: tuple[str, ...]
@@ -66,7 +66,7 @@ class Replacement:
 def replace_trajectories(
     current: Sequence[Trajectory],
     command: TrajectoryCommand,
-    joints: Joints,
+    joints: ControlledJoints,
     now: Instant,
     *,
     goal: object | None = None,
@@ -122,7 +122,7 @@ def _replaced(
     first: int,
     now: Instant,
     goal: object | None,
-    joints: Joints,
+    joints: ControlledJoints,
     place: int,
 ) -> Trajectory:
     start_ns = now.uptime_ns + (command.stamp_ns or now.time_ns) - now.time_ns
@@ -134,7 +134,9 @@ def _replaced(
         offset = wraparound_offset(state.position, point.positions[number])
     tolerances = joints.tolerances[place]
     last = find_segment(current, bridge_ns)
-    segments: list[Segment] = list(current[max(0, find_segment(current, now.uptime_ns)) : last + 1])
+    segments: list[MotionSegment] = list(
+        current[max(0, find_segment(current, now.uptime_ns)) : last + 1]
+    )
     begin_ns, begin = bridge_ns, state.knot()
     for point in command.points[first:]:
         end_ns, end = start_ns + point.time_ns, point.knot(number, offset)

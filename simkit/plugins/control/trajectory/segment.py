@@ -12,7 +12,7 @@ from simkit.plugins.control.trajectory.tolerances import NO_TOLERANCES, JointTol
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Segment:
+class MotionSegment:
     """The motion of one joint for a time; before and after it, the joint rests at its ends."""
 
     start_ns: int
@@ -40,7 +40,7 @@ class Segment:
         return state
 
 
-Trajectory: TypeAlias = tuple[Segment, ...]
+Trajectory: TypeAlias = tuple[MotionSegment, ...]
 """The motion of one joint: segments in the order of their beginnings; at least one."""
 
 _start = attrgetter("start_ns")
@@ -54,11 +54,11 @@ def segment_between(
     *,
     goal: object | None = None,
     tolerances: JointTolerances = NO_TOLERANCES,
-) -> Segment:
+) -> MotionSegment:
     """A segment between two states at two times [ns]; the second is not before the first."""
     spline = spline_between(start, end, (end_ns - start_ns) * 1e-9)
     stays = end_ns <= start_ns
-    return Segment(
+    return MotionSegment(
         start_ns=start_ns,
         end_ns=end_ns,
         spline=spline,

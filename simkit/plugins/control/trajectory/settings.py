@@ -8,17 +8,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from simkit.errors import near_names
-from simkit.plugins.control.place import InitError, Place
-from simkit.plugins.control.trajectory.replacement import Joints
+from simkit.plugins.control.place import ControllerPlace, InitError
+from simkit.plugins.control.trajectory.replacement import ControlledJoints
 from simkit.plugins.control.trajectory.tolerances import JointTolerances, Tolerance
 from simkit.urdf import JointType
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Settings:
+class TrajectorySettings:
     """What the parameters say."""
 
-    joints: Joints
+    joints: ControlledJoints
     """The joints that it moves."""
     state_publish_rate: float
     """Messages a second on the topic `state` [Hz]."""
@@ -28,7 +28,7 @@ class Settings:
     """How long it takes to come to rest [ns]; 0: it holds where it is."""
 
 
-def read_settings(place: Place) -> Settings:
+def read_settings(place: ControllerPlace) -> TrajectorySettings:
     """The settings of a controller.
 
     Raises:
@@ -39,8 +39,8 @@ def read_settings(place: Place) -> Settings:
     stop_s = place.number("stop_trajectory_duration", 0.0)
     names = place.names("joints")
     turns = _turns(place, names)
-    return Settings(
-        joints=Joints(
+    return TrajectorySettings(
+        joints=ControlledJoints(
             names=names,
             turns=turns,
             tolerances=_tolerances(place, names),
@@ -52,7 +52,7 @@ def read_settings(place: Place) -> Settings:
     )
 
 
-def _turns(place: Place, names: tuple[str, ...]) -> tuple[bool, ...]:
+def _turns(place: ControllerPlace, names: tuple[str, ...]) -> tuple[bool, ...]:
     """Which joints turn without end."""
     known = place.robot().joints
     for name in names:
@@ -66,7 +66,7 @@ def _turns(place: Place, names: tuple[str, ...]) -> tuple[bool, ...]:
     return tuple(known[name].type is JointType.CONTINUOUS for name in names)
 
 
-def _tolerances(place: Place, names: tuple[str, ...]) -> tuple[JointTolerances, ...]:
+def _tolerances(place: ControllerPlace, names: tuple[str, ...]) -> tuple[JointTolerances, ...]:
     at_rest = place.number("constraints/stopped_velocity_tolerance", 0.01)
     goal_time_s = place.number("constraints/goal_time", 0.0)
     return tuple(

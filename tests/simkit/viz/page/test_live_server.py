@@ -14,13 +14,13 @@ from tornado.websocket import websocket_connect
 
 from simkit.viz.page import live_server
 from simkit.viz.page.live_server import ENDED, FULL, LiveServer
-from simkit.viz.page.live_state import State
+from simkit.viz.page.live_state import SceneState
 
 WAIT = 10.0
 
 
 def state(x=0.0, number=0):
-    return State(number=number, scene='{"frames":[]}', poses=((x, 0.0, 0.0),))
+    return SceneState(number=number, scene='{"frames":[]}', poses=((x, 0.0, 0.0),))
 
 
 @pytest.fixture
@@ -152,7 +152,7 @@ def test_a_viewer_that_reads_nothing_holds_nobody_up(server):
         stale.sendall(request.encode())
         assert eventually(lambda: server.viewer_count == 1)
         for number in range(50):
-            server.update(State(number=number, scene=big, poses=()))
+            server.update(SceneState(number=number, scene=big, poses=()))
         server.update(state(7.0, number=60))
         heard = listen(server, until=lambda _: True)
         assert heard[0]["news"]["poses"] == {"0": [7, 0, 0]}

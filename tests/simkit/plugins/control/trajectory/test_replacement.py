@@ -13,8 +13,8 @@ import pytest
 
 from simkit.plugins.control.trajectory.command import Point, TrajectoryCommand, TrajectoryRefused
 from simkit.plugins.control.trajectory.replacement import (
+    ControlledJoints,
     Instant,
-    Joints,
     hold,
     replace_trajectories,
     stop,
@@ -27,7 +27,7 @@ S = 1_000_000_000
 
 
 def joints(*names, turns=False, allow_partial=False, tolerances=NO_TOLERANCES):
-    return Joints(
+    return ControlledJoints(
         names=names or ("a",),
         turns=(turns,) * (len(names) or 1),
         tolerances=(tolerances,) * (len(names) or 1),
