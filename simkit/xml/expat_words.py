@@ -11,12 +11,12 @@ _DANGEROUS = (FaultKind.ENTITY, FaultKind.TOO_DEEP)
 def words_of_expat(document: Document) -> str | None:
     """Why expat refuses a text; None if it takes it, or if it was not asked.
 
-    It is asked only where our own parser has found a fault, and where names have a prefix: prefixes of namespaces must be
-    declared, which XML itself does not ask for.
+    It is asked only where our own parser has found a fault, and where names are special: prefixes of namespaces must be
+    declared, which XML itself does not ask for, and beyond ASCII expat knows only the letters of XML's fourth edition.
     """
     if any(fault.kind in _DANGEROUS for fault in document.faults):
         return None
-    if not document.faults and not _has_prefixes(document):
+    if not document.faults and not _has_special_names(document):
         return None
     from xml.parsers import expat
 
@@ -29,11 +29,11 @@ def words_of_expat(document: Document) -> str | None:
     return None
 
 
-def _has_prefixes(document: Document) -> bool:
-    """Whether a name has a prefix other than `xml` and `xmlns`, which are always known."""
+def _has_special_names(document: Document) -> bool:
+    """Whether a name is not ASCII, or has a prefix other than `xml` and `xmlns`, which are always known."""
     elements = document.root.walk() if document.root is not None else ()
     return any(
-        ":" in name and not name.startswith(("xmlns:", "xml:"))
+        not name.isascii() or (":" in name and not name.startswith(("xmlns:", "xml:")))
         for element in elements
         for name in (element.name, *(one.name for one in element.attributes))
     )
