@@ -57,7 +57,8 @@ class Terminal:
 
         os.setsid()
         fcntl.ioctl(0, termios.TIOCSCTTY, 0)
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
+        for end in (signal.SIGINT, signal.SIGHUP):  # ignored where the tests run in the background
+            signal.signal(end, signal.SIG_DFL)
 
     @property
     def in_line_mode(self):

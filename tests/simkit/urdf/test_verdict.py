@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import itertools
 import random
 import re
@@ -603,10 +604,15 @@ def test_a_long_text_takes_time_in_proportion():
             f'<joint name="j{number}" type="fixed"><parent link="l0"/><child link="l{number}"/></joint>'
             for number in range(1, count)
         )
-        start = time.process_time()
-        assert check_urdf_text(read_robot(robot(links + joints, name), file="r.urdf"))[2] == 0
-        return time.process_time() - start
+        text = robot(links + joints, name)
+        gc.disable()  # what a collection costs depends on all that earlier tests have left behind
+        try:
+            start = time.process_time()
+            assert check_urdf_text(read_robot(text, file="r.urdf"))[2] == 0
+            return time.process_time() - start
+        finally:
+            gc.enable()
 
     seconds(100)
     small = min(seconds(500) for _ in range(3))
-    assert seconds(4000) < 8 * small * 3
+    assert min(seconds(4000) for _ in range(2)) < 8 * small * 3
