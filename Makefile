@@ -17,7 +17,7 @@ LOCK   := $(BIN)/uv pip compile --universal --generate-hashes --no-emit-index-ur
 help:
 	@echo "make lab       open JupyterLab in work/ with the exercises"
 	@echo "make grade     grade the solutions and the untouched exercises, print the gradebook"
-	@echo "make test      the tests (about 4 minutes on 2 cores)"
+	@echo "make test      the tests (under 10 minutes on 2 cores)"
 	@echo "make test-all  the tests and the long ones"
 	@echo "make lint      ruff and mypy"
 	@echo "make build     build the notebooks from their sources"

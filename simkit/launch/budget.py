@@ -41,7 +41,7 @@ class Budget:
         """One more tag, or so many.
 
         Raises:
-            Refused: That is too many.
+            LaunchRefused: That is too many.
         """
         self._tags += count
         if self._tags > MAX_TAGS:
@@ -55,7 +55,7 @@ class Budget:
         """One more launch file, of so many bytes.
 
         Raises:
-            Refused: That is too many.
+            LaunchRefused: That is too many.
         """
         self._launch_bytes += size
         if self._launch_bytes > MAX_ALL_LAUNCH_BYTES:
@@ -76,7 +76,7 @@ class Budget:
         """A value of so many characters.
 
         Raises:
-            Refused: It is too long, or all together are.
+            LaunchRefused: It is too long, or all together are.
         """
         if length > MAX_STRING:
             raise ours(
@@ -90,7 +90,7 @@ class Budget:
         """A YAML text of so many characters.
 
         Raises:
-            Refused: All together are too long.
+            LaunchRefused: All together are too long.
         """
         self._yaml += length
         if self._yaml > MAX_YAML:
@@ -104,7 +104,7 @@ class Budget:
         """So many characters or bytes were read or made.
 
         Raises:
-            Refused: All together are too many.
+            LaunchRefused: All together are too many.
         """
         self._total += amount
         if self._total > MAX_TOTAL:

@@ -44,7 +44,7 @@ def output_of(command: str, *, parameter: str, files: Files) -> CommandOutput:
         files: Reads what the command names.
 
     Raises:
-        Refused: The command fails, or is not one of those that are understood.
+        LaunchRefused: The command fails, or is not one of those that are understood.
     """
     try:
         words = shlex.split(command)

@@ -87,7 +87,7 @@ def evaluate_expression(
         functions: `arg`, `env` and their kin.
 
     Raises:
-        Refused: It cannot be worked out; in the words of Python.
+        LaunchRefused: It cannot be worked out; in the words of Python.
     """
     if "__" in text:
         words = "$(eval ...) may not contain double underscore expressions"

@@ -50,7 +50,7 @@ class Files:
         """Folder of a package.
 
         Raises:
-            Refused: There is none, or it comes with the kit and has no folder.
+            LaunchRefused: There is none, or it comes with the kit and has no folder.
         """
         if name in self.packages:
             return self.packages[name].folder
@@ -67,7 +67,7 @@ class Files:
             limit: Size that it may have.
 
         Raises:
-            Refused: It is not there, too large, or out of reach.
+            LaunchRefused: It is not there, too large, or out of reach.
         """
         if not self.may_read(name):
             raise ours(
@@ -89,7 +89,7 @@ class Files:
         """The text of a file in UTF-8, its lines ended as on Linux.
 
         Raises:
-            Refused: As `read`, or it is not UTF-8.
+            LaunchRefused: As `read`, or it is not UTF-8.
         """
         try:
             text = self.read(name).decode()

@@ -56,7 +56,7 @@ def read_launch_file(
         included_at: The `<include>` that names it.
 
     Raises:
-        Refused: It is not XML, or no launch file.
+        LaunchRefused: It is not XML, or no launch file.
     """
     document = parse_xml(data, file=shown)
     launch_file = LaunchFile(name=name, document=document, data=data, included_at=included_at)

@@ -51,7 +51,7 @@ def take_node(tag: LaunchTag, scope: Scope) -> None:
     """Add a node with its parameters; of a `<test>` only the parameters.
 
     Raises:
-        Refused: It makes no sense.
+        LaunchRefused: It makes no sense.
     """
     if not tag.applies(scope):
         return

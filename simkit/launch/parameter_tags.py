@@ -39,7 +39,7 @@ def take_param(tag: LaunchTag, scope: Scope, *, in_node: bool = False) -> None:
         in_node: Whether it stands in a `<node>`: then it is private, whatever its name.
 
     Raises:
-        Refused: It makes no sense.
+        LaunchRefused: It makes no sense.
     """
     if not tag.applies(scope):
         return
@@ -119,7 +119,7 @@ def take_rosparam(tag: LaunchTag, scope: Scope) -> None:
     """Load, delete or dump parameters.
 
     Raises:
-        Refused: It makes no sense.
+        LaunchRefused: It makes no sense.
     """
     if not tag.applies(scope):
         return

@@ -1,7 +1,7 @@
 """A fault while it travels from the place where it is found to the one who asked.
 
 roslaunch's handlers of tags catch some kinds of faults, put words of their own around them, and let others
-pass. To end with its exact words, ours do the same: a `Refused` has the words so far, its kind, and, from where it
+pass. To end with its exact words, ours do the same: a `LaunchRefused` has the words so far, its kind, and, from where it
 began, what a teacher says about it.
 """
 

@@ -78,7 +78,7 @@ class Scope:
             namespace: Relative or global; None for the same.
 
         Raises:
-            Refused: It is private.
+            LaunchRefused: It is private.
         """
         if namespace == "~":
             what = "a namespace cannot be private"
@@ -101,7 +101,7 @@ class Scope:
             The names that it was given.
 
         Raises:
-            Refused: One of them has no value.
+            LaunchRefused: One of them has no value.
         """
         assert self.given is not None
         for name in self.declared:
@@ -119,7 +119,7 @@ class Scope:
         """Declare an argument.
 
         Raises:
-            Refused: It is declared already, or has a value that may not be replaced.
+            LaunchRefused: It is declared already, or has a value that may not be replaced.
         """
         if name in self.declared:
             if not self.passes_all:
@@ -144,7 +144,7 @@ class Scope:
         """Add a remapping; it replaces one of the same source.
 
         Raises:
-            Refused: A name is empty or not legal.
+            LaunchRefused: A name is empty or not legal.
         """
         pair = (tidy(source), tidy(target))
         if not all(pair):

@@ -24,7 +24,7 @@ def take_argument(tag: LaunchTag, scope: Scope) -> None:
     """`<arg name default|value doc>`: declare an argument.
 
     Raises:
-        Refused: It makes no sense.
+        LaunchRefused: It makes no sense.
     """
     if not tag.applies(scope):
         return
@@ -56,7 +56,7 @@ def read_remapping(tag: LaunchTag, scope: Scope) -> tuple[str, str] | None:
     """`<remap from to>`: the two names; None if it does not apply.
 
     Raises:
-        Refused: One is missing.
+        LaunchRefused: One is missing.
     """
     if not tag.applies(scope):
         return None
@@ -74,7 +74,7 @@ def take_remapping(tag: LaunchTag, scope: Scope) -> None:
     """`<remap>` for all nodes that follow in its scope.
 
     Raises:
-        Refused: It makes no sense.
+        LaunchRefused: It makes no sense.
     """
     try:
         pair = read_remapping(tag, scope)
@@ -91,7 +91,7 @@ def take_environment(tag: LaunchTag, scope: Scope) -> None:
     """`<env name value>`: an environment variable for nodes.
 
     Raises:
-        Refused: It makes no sense.
+        LaunchRefused: It makes no sense.
     """
     if not tag.applies(scope):
         return
@@ -114,7 +114,7 @@ def take_machine(tag: LaunchTag, scope: Scope) -> None:
     """`<machine>`: looked at, and ignored, since all nodes run here.
 
     Raises:
-        Refused: Its name or address is missing.
+        LaunchRefused: Its name or address is missing.
     """
     if not tag.applies(scope):
         return

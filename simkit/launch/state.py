@@ -47,7 +47,7 @@ class LaunchState:
         """Add a parameter; the later one of two wins.
 
         Raises:
-            Refused: ROS has no such values.
+            LaunchRefused: ROS has no such values.
         """
         self.budget.tag()
         name = tidy(name)
@@ -68,7 +68,7 @@ class LaunchState:
         """Add a value of YAML: a mapping is a namespace.
 
         Raises:
-            Refused: A key is no text, or ROS has no such values.
+            LaunchRefused: A key is no text, or ROS has no such values.
         """
         if not isinstance(value, dict):
             if tidy(name) == "/":
@@ -86,7 +86,7 @@ class LaunchState:
         """Add a node.
 
         Raises:
-            Refused: There is one of its name.
+            LaunchRefused: There is one of its name.
         """
         name = node.resolved_name
         twin = self.nodes.get(name)
@@ -104,7 +104,7 @@ class LaunchState:
         """See that each machine that a node is meant for is there.
 
         Raises:
-            Refused: One is not.
+            LaunchRefused: One is not.
         """
         for name, place in self.wanted_machines:
             if name not in self.machines:

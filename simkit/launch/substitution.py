@@ -58,7 +58,7 @@ class Substitution:
         """A text with every `$(...)` replaced.
 
         Raises:
-            Refused: One cannot be.
+            LaunchRefused: One cannot be.
         """
         if "$" not in text:
             return text

@@ -57,7 +57,7 @@ class LaunchTag:
         """The value of an attribute, `$(...)` replaced; None if it is not there.
 
         Raises:
-            Refused: It cannot be replaced.
+            LaunchRefused: It cannot be replaced.
         """
         value = self.element.get(attribute)
         if value is None:
@@ -69,7 +69,7 @@ class LaunchTag:
         """The value of an attribute that must be there.
 
         Raises:
-            Refused: It is not there, or cannot be replaced.
+            LaunchRefused: It is not there, or cannot be replaced.
         """
         value = self.get(attribute, scope)
         if value is None:
@@ -99,7 +99,7 @@ class LaunchTag:
         """Whether an attribute's value says true; false if it is None.
 
         Raises:
-            Refused: It is neither true nor false.
+            LaunchRefused: It is neither true nor false.
         """
         with self.about(attribute):
             return flag(value, attribute)
@@ -108,7 +108,7 @@ class LaunchTag:
         """Whether its `if` or `unless` lets it count.
 
         Raises:
-            Refused: It has both, or one that is neither true nor false.
+            LaunchRefused: It has both, or one that is neither true nor false.
         """
         wanted, unwanted = self.get("if", scope), self.get("unless", scope)
         if wanted is not None and unwanted is not None:
@@ -153,7 +153,7 @@ def namespace_of(tag: LaunchTag, scope: Scope) -> str | None:
     """The value of `ns`, or None.
 
     Raises:
-        Refused: It is empty.
+        LaunchRefused: It is empty.
     """
     namespace = tag.get("ns", scope)
     if namespace == "":

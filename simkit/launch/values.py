@@ -29,7 +29,7 @@ def convert(text: str, type_name: str) -> Any:
         type_name: `auto`, `str`, `int`, `double`, `bool`, `yaml`, or one of their other names.
 
     Raises:
-        Refused: The text is not of that type, or there is no such type.
+        LaunchRefused: The text is not of that type, or there is no such type.
     """
     kind = type_name.lower()
     if kind == "auto":
@@ -58,7 +58,7 @@ def truth(text: str, type_name: str = "bool") -> bool:
     """A text that says true or false.
 
     Raises:
-        Refused: It says neither.
+        LaunchRefused: It says neither.
     """
     lowered = text.lower()
     if lowered not in _TRUTH:
@@ -74,7 +74,7 @@ def flag(text: str | None, label: str) -> bool:
     """An attribute of `<node>` and its kin that is true or false; false if it is not there.
 
     Raises:
-        Refused: It is neither.
+        LaunchRefused: It is neither.
     """
     if text is None or text.lower() == "false":
         return False
@@ -92,7 +92,7 @@ def seconds(text: str | None, label: str) -> float:
     """An attribute that is a number of seconds; 0 if it is not there.
 
     Raises:
-        Refused: It is no number.
+        LaunchRefused: It is no number.
     """
     if text is None:
         return 0.0
@@ -137,7 +137,7 @@ def load_yaml(text: str, *, file: str | None = None) -> Any:
         file: The file that it comes from; None for text in the launch file itself.
 
     Raises:
-        Refused: It is not YAML, or too much.
+        LaunchRefused: It is not YAML, or too much.
     """
     import yaml
 
@@ -160,7 +160,7 @@ def plain_yaml(text: str) -> Any:
     """The value of a YAML text without angles: what `<param type="yaml">` takes.
 
     Raises:
-        Refused: It is not YAML, or too much.
+        LaunchRefused: It is not YAML, or too much.
     """
     import yaml
 

@@ -36,7 +36,7 @@ def walk(
         depth: So many groups are around it.
 
     Raises:
-        Refused: A tag makes no sense, or there are too many.
+        LaunchRefused: A tag makes no sense, or there are too many.
     """
     _note_stray_text(LaunchTag(root, launch_file, state))
     for element in root.children:
@@ -58,7 +58,7 @@ def open_launch_file(
         tag: The `<include>` that names it; None for the first file.
 
     Raises:
-        Refused: It cannot be read, is no launch file, or includes itself.
+        LaunchRefused: It cannot be read, is no launch file, or includes itself.
     """
     place = tag.place if tag is not None else None
     if tag is not None:
