@@ -24,7 +24,7 @@ COMMAND = (
     "import sys; from simkit.cli import main; sys.exit(main())"  # what the installed script does
 )
 CHECK_URDF_TARGET = 200.0
-READ_TARGET = 2.2
+READ_TARGET = 2.0
 
 
 def chain(links: int) -> str:
