@@ -65,16 +65,21 @@ def _in_limits(joint: JointEntry) -> Iterator[Find]:
     bad = [name for name, value in values.items() if look_like_degrees(value)]
     if not bad:
         return
-    turns = number_text(round(max(abs(values[name]) for name in bad) / (2 * math.pi), 1))
+    largest = max(abs(values[name]) for name in bad)
     written = " ".join(f'{name}="{number_text(values[name])}"' for name in bad)
     yield Find(
         limit.element.attribute(bad[0]) or limit.element,
         element=limit.element,
-        what=f"{called(joint.element)} has {written}: {turns} turns in radians, so this looks like degrees",
+        what=f"{called(joint.element)} has {written}: {number_text(largest)} rad is {_turns(largest)} turns, so this looks "
+        "like degrees",
         remedy=f"Angles are in radians: write {_mended(values)}.",
-        here=f"The joint may turn by {turns} revolutions.",
+        here=f"From stop to stop the joint turns by {_turns(limit.upper - limit.lower)} revolutions.",
         gazebo="ROS and Gazebo take the number for radians, too.",
     )
+
+
+def _turns(angle: float) -> str:
+    return number_text(round(abs(angle) / (2 * math.pi), 1))
 
 
 def _mended(values: Mapping[str, float]) -> str:
