@@ -107,17 +107,24 @@ def test_sliders_move_the_robot(sliders):
     assert asked(sliders, 2) == [0.0, 0.0]
 
 
-def test_the_robot_is_beside_the_sliders(sliders):
+def test_the_robot_is_beside_the_sliders_or_above_them_in_a_narrow_cell(sliders):
     page = sliders.page
     frame = "document.querySelector('.jp-OutputArea-output iframe[sandbox]')"
     page.wait(f"!!{frame}")
     page.drag(SLIDER, 1, -40)
-    page.screenshot("sliders_beside_the_robot")
-    left, right = (
-        page.run(f"{frame}.getBoundingClientRect().left"),
-        page.run(f"document.querySelector('{SLIDER}').getBoundingClientRect().right"),
-    )
-    assert left > right
+    places = f"[{frame}, document.querySelector('{SLIDER}')].map((one) => one.getBoundingClientRect().toJSON())"
+    for width, is_narrow in ((1700, False), (900, True)):
+        size = {"width": width, "height": 1000, "deviceScaleFactor": 1, "mobile": False}
+        page.call("Emulation.setDeviceMetricsOverride", **size)
+        page.wait(f"window.innerWidth === {width}")
+        picture, slider = page.run(f"new Promise((go) => setTimeout(() => go({places}), 500))")
+        page.screenshot(f"sliders_at_{width}")
+        if is_narrow:
+            assert slider["top"] > picture["bottom"]
+            assert abs(slider["left"] - picture["left"]) < picture["width"] / 2
+        else:
+            assert picture["left"] > slider["right"]
+            assert picture["width"] > 500
     # No other port than that of JupyterLab.
     ports = "new Set(performance.getEntriesByType('resource').map((one) => new URL(one.name).port).filter(Boolean)).size"
     assert page.run(ports) == 1

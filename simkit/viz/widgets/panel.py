@@ -20,6 +20,8 @@ from simkit.viz.widgets.kernel_loop import KernelLoop, Later
 _PAUSE: Final = 0.1
 "At most so often the picture is drawn [s of wall-clock time]."
 _CLASS: Final = "simkit-still"
+_BESIDE_WIDTH: Final = "900px"
+"In a narrower cell the controls are below the view that they move."
 _PANEL: Final = ".jp-OutputArea-output.lm-Panel"
 _STYLE: Final = (
     f"<style>.jp-OutputArea:has({_PANEL} > *) .{_CLASS},"
@@ -228,16 +230,26 @@ def _front_class() -> Any:
 
 
 def _side_by_side(front: Any, view: Any) -> Any:
-    """Controls, and a view beside them; below them where there is no room."""
+    """A view beside the controls that move it; above them where a cell is too narrow for both."""
     if view is None:
         return front
     import ipywidgets
 
-    # The view may be shown elsewhere too: the room that it has here is that of a box around it.
-    room = {"flex": "1 1 18em", "min_width": "min(18em, 100%)"}
+    # In a cell that is narrower than this the view asks for far more than there is, and gets a row of its own; in a wider
+    # one it asks for nothing, and gets what the controls leave. (It may be shown elsewhere too: the room is that of a box.)
+    room = {
+        "flex": f"1 1 calc(({_BESIDE_WIDTH} - 100%) * 999)",
+        "min_width": "18em",
+        "max_width": "100%",
+    }
     beside = ipywidgets.VBox([view.widget], layout=room)
-    layout = {"flex_flow": "row wrap", "align_items": "flex-start", "width": "100%"}
-    return ipywidgets.HBox([front, beside], layout=layout)
+    layout = {
+        "flex_flow": "row-reverse wrap",
+        "justify_content": "flex-end",
+        "align_items": "flex-start",
+        "width": "100%",
+    }
+    return ipywidgets.HBox([beside, front], layout=layout)
 
 
 def _script(name: str) -> str:

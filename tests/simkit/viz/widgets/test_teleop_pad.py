@@ -232,7 +232,7 @@ def test_the_picture_of_a_turtlesim_is_beside_the_buttons_and_follows(sim, turtl
 def test_a_live_view_is_beside_the_buttons(sim):
     view = sim.rviz(live=True)
     pad = sim.teleop(view=view)
-    _, beside = pad.widget.children
+    beside, _ = pad.widget.children
     assert beside.children == (view.widget,)
 
 
