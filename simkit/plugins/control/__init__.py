@@ -2,6 +2,6 @@
 
 Read it in this order: `plugin` (what happens in a step), `transmission` (which joints, by which
 interface), `joint_drive` (how a command becomes a motion), `manager` (who loads, starts and stops
-controllers), `controller` (what one is); then `controllers` and `trajectory`. Without ROS are `angles`,
-`limits`, `pid`, and most of `trajectory`.
+controllers), `controller` (what one is), `registry` (which types there are); then `joint_command`,
+`joint_state` and `trajectory`. Without ROS are `angles`, `limits` and `pid`.
 """

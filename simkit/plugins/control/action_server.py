@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from simkit.msgs import Time, message_class
-from simkit.plugins.control.place import ControllerPlace
+from simkit.plugins.control.controller import Controller
 
 PENDING, ACTIVE, PREEMPTED, SUCCEEDED, ABORTED, REJECTED, PREEMPTING, RECALLING, RECALLED = range(9)
 """States of a goal, of actionlib_msgs/GoalStatus."""
@@ -50,7 +50,7 @@ class ActionServer:
     """The server of one action.
 
     Args:
-        place: The controller that offers it.
+        controller: The controller that offers it.
         name: Name of the action, also that of its topics' namespace.
         type_name: Type without `Action`: `control_msgs/FollowJointTrajectory`.
         on_goal: Is given each new goal, to accept or reject it.
@@ -59,30 +59,32 @@ class ActionServer:
 
     def __init__(
         self,
-        place: ControllerPlace,
+        controller: Controller,
         name: str,
         type_name: str,
         *,
         on_goal: Callable[[ServerGoal], None],
         on_cancel: Callable[[ServerGoal], None],
     ) -> None:
-        self._place = place
+        self._controller = controller
         self._type = type_name
         self._on_goal, self._on_cancel = on_goal, on_cancel
         self._goals: dict[str, ServerGoal] = {}
         self._last_cancel_ns = 0
         self._made = 0
         status = message_class("actionlib_msgs/GoalStatusArray")
-        self._status = place.advertise(f"{name}/status", status, latch=True)
-        self._feedback = place.advertise(
+        self._status = controller.advertise(f"{name}/status", status, latch=True)
+        self._feedback = controller.advertise(
             f"{name}/feedback", message_class(f"{type_name}ActionFeedback")
         )
-        self._result = place.advertise(f"{name}/result", message_class(f"{type_name}ActionResult"))
+        self._result = controller.advertise(
+            f"{name}/result", message_class(f"{type_name}ActionResult")
+        )
         goal_class = message_class(f"{type_name}ActionGoal")
-        place.subscribe(f"{name}/goal", goal_class, self._hear_goal, queue_size=50)
+        controller.subscribe(f"{name}/goal", goal_class, self._receive_goal, queue_size=50)
         cancel_class = message_class("actionlib_msgs/GoalID")
-        place.subscribe(f"{name}/cancel", cancel_class, self._hear_cancel, queue_size=50)
-        place.create_timer(STATUS_SECONDS, self._publish_status)
+        controller.subscribe(f"{name}/cancel", cancel_class, self._receive_cancel, queue_size=50)
+        controller.create_timer(STATUS_SECONDS, self._publish_status)
 
     def result(self) -> Any:
         """An empty result."""
@@ -125,7 +127,7 @@ class ActionServer:
         self._result.publish(message)
         self._publish_status()
 
-    def _hear_goal(self, message: Any) -> None:
+    def _receive_goal(self, message: Any) -> None:
         known = self._goals.get(message.goal_id.id)
         if known is not None:
             if known.status == RECALLING:  # it was cancelled before it came
@@ -143,12 +145,12 @@ class ActionServer:
         if not goal_id.id:
             self._made += 1
             seconds = self._now_ns / 1e9
-            goal_id.id = f"{self._place.node.name}-{self._made}-{seconds:.9f}"
+            goal_id.id = f"{self._controller.node.name}-{self._made}-{seconds:.9f}"
         if goal_id.stamp.is_zero():
             goal_id.stamp = self._now()
         return goal_id
 
-    def _hear_cancel(self, message: Any) -> None:
+    def _receive_cancel(self, message: Any) -> None:
         stamp_ns = message.stamp.to_nsec()
         is_all = not message.id and not stamp_ns
         for goal in tuple(self._goals.values()):
@@ -182,10 +184,10 @@ class ActionServer:
 
     @property
     def _now_ns(self) -> int:
-        return self._place.node.graph.executor.now_ns
+        return self._controller.node.graph.executor.now_ns
 
     def _now(self) -> Time:
-        return self._place.node.now()
+        return self._controller.node.now()
 
 
 def _status(goal: ServerGoal) -> Any:

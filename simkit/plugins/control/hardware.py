@@ -11,10 +11,17 @@ from typing import Any
 from simkit.errors import near_names
 from simkit.graph import Node
 from simkit.physics import Model
-from simkit.plugins.control.interfaces import EFFORT, INTERFACES, STATE
 from simkit.plugins.control.joint_drive import JointDrive, JointHandle
 from simkit.plugins.control.limits import limits_of
 from simkit.plugins.control.pid import Pid, read_gains
+from simkit.plugins.control.registry import (
+    CONTROLLER_TYPES,
+    EFFORT,
+    FAMILIES,
+    PREFIX,
+    STATE,
+    ControllerType,
+)
 from simkit.plugins.control.transmission import Transmission
 from simkit.urdf import Robot
 
@@ -32,11 +39,6 @@ class RobotHardware:
         """Whether the emergency stop is on."""
         self._all = tuple(self.drives.values())
 
-    @property
-    def interfaces(self) -> tuple[str, ...]:
-        """What it has, for controllers to ask for."""
-        return (*INTERFACES, STATE)
-
     def joints_of(self, interface: str) -> dict[str, JointHandle]:
         """The joints of an interface, by name."""
         return {
@@ -45,8 +47,39 @@ class RobotHardware:
             if interface in (STATE, drive.handle.interface)
         }
 
+    def why_no_joint(self, name: str, *, controller: str, type_: ControllerType) -> str:
+        """Why a controller cannot have a joint: its transmission, the YAML file, or the type does not fit.
+
+        Args:
+            name: The joint that it asks for.
+            controller: Its name.
+            type_: Its type.
+        """
+        wanted = type_.interface
+        if name in self.drives:
+            offered = self.drives[name].handle.interface
+            text = (
+                f"the transmission of {name} offers {offered}, and {type_.name} needs {wanted}: "
+                f"write {PREFIX}{wanted} in the transmission"
+            )
+            other = f"{FAMILIES[offered]}/{type_.bare_name}"
+            return (
+                f"{text}, or type: {other} in the YAML file" if other in CONTROLLER_TYPES else text
+            )
+        near = near_names(name, self.drives)
+        if near:
+            return (
+                f"no transmission is for {name}; did you mean {near[0]}? The name in the joints of "
+                f"{controller} and the one in <transmission><joint name=...> must be the same"
+            )
+        there = f"; there are transmissions for: {', '.join(self.drives)}" if self.drives else ""
+        return (
+            f"no transmission is for {name}: add a <transmission> to the URDF with <joint name={name!r}> "
+            f"and <hardwareInterface>{PREFIX}{wanted}</hardwareInterface> in it{there}"
+        )
+
     def read(self) -> None:
-        """Look how all joints stand and move."""
+        """Read position, velocity and effort of all joints."""
         for drive in self._all:
             drive.read()
 

@@ -15,9 +15,9 @@ from simkit.plugins.control.angles import (
     distance_within_limits,
     shortest_angular_distance,
 )
-from simkit.plugins.control.interfaces import EFFORT, POSITION, VELOCITY
 from simkit.plugins.control.limits import JointLimits, Limiter, clamp
 from simkit.plugins.control.pid import Pid
+from simkit.plugins.control.registry import EFFORT, POSITION, VELOCITY
 from simkit.urdf import JointType
 
 
@@ -28,7 +28,7 @@ class JointHandle:
     name: str
     """Name of the joint."""
     interface: str
-    """What it can be told: `PositionJointInterface` and the like."""
+    """How it is commanded: `PositionJointInterface` and the like."""
     position: float = 0.0
     """[rad or m]."""
     velocity: float = 0.0
@@ -44,7 +44,7 @@ class JointDrive:
 
     Args:
         joint: The joint in the world.
-        interface: What it can be told.
+        interface: How it is commanded.
         kind: How it moves; None if the URDF does not know it.
         limits: Its limits; None if there are none.
         pid: Gains with which a position or velocity becomes an effort; None where it simply is as commanded.
@@ -69,7 +69,7 @@ class JointDrive:
         self._kept: float | None = None
 
     def read(self) -> None:
-        """Look how the joint stands and moves."""
+        """Read position, velocity and effort of the joint."""
         handle, position = self.handle, self._joint.position
         handle.position = position if self._angle is None else self._angle.read(position)
         handle.velocity = self._joint.velocity

@@ -21,11 +21,11 @@ from simkit.urdf import read_robot
 POLL = Duration.from_nsec(100_000_000)
 """How often it looks for a robot that nobody has loaded yet."""
 PATIENCE = 50
-"""After so many looks it says what could be wrong."""
+"""After so many looks it logs what could be wrong."""
 
 
 class GazeboRosControl(Plugin[ControlParameters]):
-    """The plugin: before a step controllers command the joints, after it they say how things stand.
+    """The plugin: before a step controllers command the joints, after it they publish their state.
 
     The controllers see the time at which the step ends, as in Gazebo, so that a joint stands at the end
     of a step where the controller wants it at that time. It waits for the parameter with the URDF
@@ -55,7 +55,7 @@ class GazeboRosControl(Plugin[ControlParameters]):
         if self.parameters.e_stop_topic:
             topic = site.resolve(self.parameters.e_stop_topic)
             kind = message_class("std_msgs/Bool")
-            self._stop_subscription = node.subscribe(topic, kind, self._hear_stop, queue_size=1)
+            self._stop_subscription = node.subscribe(topic, kind, self._on_stop, queue_size=1)
         space = site.robot_namespace or "/"
         node.info(f"Starting gazebo_ros_control plugin in namespace: {space}")
         node.info(
@@ -83,7 +83,7 @@ class GazeboRosControl(Plugin[ControlParameters]):
         manager.hardware.write(self._step_ns * 1e-9)
 
     def after_step(self) -> None:
-        """Let controllers say how things stand."""
+        """Let controllers publish their state."""
         if self.manager is not None and self._has_updated:
             self.manager.publish(self.site.now_ns)
 
@@ -146,9 +146,7 @@ class GazeboRosControl(Plugin[ControlParameters]):
         if reading.document.root is None:
             node.error("Can't parse transmissions. Invalid robot description.")
             return
-        transmissions, complaints = read_transmissions(reading.document.root)
-        for one in complaints:
-            node.log(one.level, one.text)
+        transmissions = read_transmissions(reading.document.root, node.log)
         is_legacy = (
             site.element.child("robotSimType") is not None and self.parameters.legacy_mode_ns
         )
@@ -165,5 +163,5 @@ class GazeboRosControl(Plugin[ControlParameters]):
         self._services = ManagerServices(node, self.manager, root)
         node.info("Loaded gazebo_ros_control.")
 
-    def _hear_stop(self, message: Any) -> None:
+    def _on_stop(self, message: Any) -> None:
         self._is_stopped = message.data

@@ -1,75 +1,100 @@
-"""Which types of controllers there are; the code of one is imported when it is loaded."""
+"""Hardware interfaces, and the types of controllers that use them; the code of one is imported when it is loaded."""
 
 from __future__ import annotations
 
 import importlib
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
 
-from simkit.plugins.control.controller import Controller
-from simkit.plugins.control.interfaces import EFFORT, POSITION, STATE, VELOCITY
+if TYPE_CHECKING:
+    from simkit.plugins.control.controller import Controller
 
-_HERE = "simkit.plugins.control"
+POSITION: Final = "PositionJointInterface"
+VELOCITY: Final = "VelocityJointInterface"
+EFFORT: Final = "EffortJointInterface"
+STATE: Final = "JointStateInterface"
+"""Every joint has it: to look, and not to command."""
+
+INTERFACES: Final = (POSITION, VELOCITY, EFFORT)
+"""Interfaces by which a joint is commanded; a joint in the simulation has one of them."""
+
+PREFIX: Final = "hardware_interface/"
+"""What stands before the name of an interface in a transmission."""
+
+FAMILIES: Final = {
+    POSITION: "position_controllers",
+    VELOCITY: "velocity_controllers",
+    EFFORT: "effort_controllers",
+}
+"""Package of the controllers that use an interface."""
+
+
+def in_cpp(interface: str) -> str:
+    """Its name in the messages of ros_control: `hardware_interface::PositionJointInterface`."""
+    return f"hardware_interface::{interface}"
+
+
+_INTERFACES = {
+    **{family: interface for interface, family in FAMILIES.items()},
+    "joint_state_controller": STATE,
+    # Of these two there are the controllers, and in Gazebo no joint with such an interface.
+    "pos_vel_controllers": "PosVelJointInterface",
+    "pos_vel_acc_controllers": "PosVelAccJointInterface",
+}
+
+_TYPES = {
+    ("joint_state", "JointStateController"): ("joint_state_controller/JointStateController",),
+    ("joint_command", "JointCommandController"): (
+        "position_controllers/JointPositionController",
+        "velocity_controllers/JointVelocityController",
+        "effort_controllers/JointEffortController",
+        "position_controllers/JointGroupPositionController",
+        "velocity_controllers/JointGroupVelocityController",
+        "effort_controllers/JointGroupEffortController",
+        "velocity_controllers/JointPositionController",
+        "effort_controllers/JointPositionController",
+        "effort_controllers/JointVelocityController",
+        "effort_controllers/JointGroupPositionController",
+    ),
+    ("trajectory.controller", "JointTrajectoryController"): tuple(
+        f"{family}/JointTrajectoryController"
+        for family in (*FAMILIES.values(), "pos_vel_controllers", "pos_vel_acc_controllers")
+    ),
+}
+"""Names of types by the module and the class that they share."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ControllerEntry:
+class ControllerType:
     """One type of controller."""
 
-    type_name: str
+    name: str
     """As a YAML file has it: `position_controllers/JointTrajectoryController`."""
-    interface: str
-    """What it tells joints: `PositionJointInterface`."""
     module: str
-    """Python module of its class."""
+    """Python module of its class, in this package."""
     class_name: str
     """Its class."""
 
+    @property
+    def interface(self) -> str:
+        """How it commands joints: `PositionJointInterface`."""
+        return _INTERFACES[self.name.partition("/")[0]]
+
+    @property
+    def bare_name(self) -> str:
+        """Its name without the package: `JointTrajectoryController`."""
+        return self.name.partition("/")[2]
+
     def load(self) -> type[Controller]:
         """Its class."""
-        found: type[Controller] = getattr(importlib.import_module(self.module), self.class_name)
+        module = importlib.import_module(f"{__package__}.{self.module}")
+        found: type[Controller] = getattr(module, self.class_name)
         return found
 
 
-def _entry(type_name: str, interface: str, place: str, class_name: str) -> ControllerEntry:
-    return ControllerEntry(
-        type_name=type_name, interface=interface, module=f"{_HERE}.{place}", class_name=class_name
-    )
-
-
-_FORWARD, _PID = "controllers.forward", "controllers.pid_controllers"
-
-
-def _trajectory_entry(family: str, interface: str) -> ControllerEntry:
-    name = "JointTrajectoryController"
-    return _entry(f"{family}/{name}", interface, "trajectory.controller", name)
-
-
-_ENTRIES = (
-    _entry(
-        "joint_state_controller/JointStateController",
-        STATE,
-        "controllers.joint_state",
-        "JointStateController",
-    ),
-    _entry("position_controllers/JointPositionController", POSITION, _FORWARD, "HoldingController"),
-    _entry("velocity_controllers/JointVelocityController", VELOCITY, _FORWARD, "RestingController"),
-    _entry("effort_controllers/JointEffortController", EFFORT, _FORWARD, "RestingController"),
-    _entry("position_controllers/JointGroupPositionController", POSITION, _FORWARD, "HoldingGroup"),
-    _entry("velocity_controllers/JointGroupVelocityController", VELOCITY, _FORWARD, "RestingGroup"),
-    _entry("effort_controllers/JointGroupEffortController", EFFORT, _FORWARD, "RestingGroup"),
-    _entry("velocity_controllers/JointPositionController", VELOCITY, _PID, "PositionPid"),
-    _entry("effort_controllers/JointPositionController", EFFORT, _PID, "PositionPid"),
-    _entry("effort_controllers/JointVelocityController", EFFORT, _PID, "VelocityPid"),
-    _entry("effort_controllers/JointGroupPositionController", EFFORT, _PID, "PositionPidGroup"),
-    _trajectory_entry("position_controllers", POSITION),
-    _trajectory_entry("velocity_controllers", VELOCITY),
-    _trajectory_entry("effort_controllers", EFFORT),
-    # Of these two there are the controllers, and in Gazebo no joint with such an interface.
-    _trajectory_entry("pos_vel_controllers", "PosVelJointInterface"),
-    _trajectory_entry("pos_vel_acc_controllers", "PosVelAccJointInterface"),
-)
-
-
-def controllers() -> dict[str, ControllerEntry]:
-    """All types of controllers, by name."""
-    return {entry.type_name: entry for entry in _ENTRIES}
+CONTROLLER_TYPES: Final = {
+    name: ControllerType(name=name, module=module, class_name=class_name)
+    for (module, class_name), names in _TYPES.items()
+    for name in names
+}
+"""All types of controllers, by name."""

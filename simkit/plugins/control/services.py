@@ -9,10 +9,10 @@ from typing import Any
 
 from simkit.graph import Node, ServiceServer
 from simkit.msgs import message_class, service_class
-from simkit.plugins.control.interfaces import in_cpp
-from simkit.plugins.control.manager import ControllerManager, Loaded
-from simkit.plugins.control.registry import controllers
-from simkit.plugins.control.switching import BEST_EFFORT
+from simkit.plugins.control.controller import Controller
+from simkit.plugins.control.manager import ControllerManager
+from simkit.plugins.control.registry import CONTROLLER_TYPES, in_cpp
+from simkit.plugins.control.switch import BEST_EFFORT
 
 _BASE = "controller_interface"
 _MSGS = "controller_manager_msgs"
@@ -55,10 +55,10 @@ class ManagerServices:
         return self._node.graph.executor.now_ns
 
     def _list(self, _request: Any, response: Any) -> None:
-        response.controller = [_state(name, one) for name, one in self._manager.loaded.items()]
+        response.controller = [_state(one) for one in self._manager.loaded.values()]
 
     def _list_types(self, _request: Any, response: Any) -> None:
-        response.types = list(controllers())
+        response.types = list(CONTROLLER_TYPES)
         response.base_classes = [_BASE] * len(response.types)
 
     def _load(self, request: Any, response: Any) -> None:
@@ -104,12 +104,12 @@ def _bound(found: Any, handler: Any) -> Any:
     return answer
 
 
-def _state(name: str, one: Loaded) -> Any:
+def _state(controller: Controller) -> Any:
     state: Any = message_class(f"{_MSGS}/ControllerState")()
-    state.name, state.type = name, one.entry.type_name
-    state.state = one.controller.state.value
+    state.name, state.type = controller.name, controller.type.name
+    state.state = controller.state.value
     resources: Any = message_class(f"{_MSGS}/HardwareInterfaceResources")()
-    resources.hardware_interface = in_cpp(one.entry.interface)
-    resources.resources = sorted(one.controller.claims)
+    resources.hardware_interface = in_cpp(controller.type.interface)
+    resources.resources = sorted(controller.claims)
     state.claimed_resources = [resources]
     return state

@@ -9,13 +9,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from simkit.plugins.control.angles import wraparound_offset
-from simkit.plugins.control.trajectory.checking import (
+from simkit.plugins.control.trajectory.command import (
+    TrajectoryCommand,
     check_point,
     check_times,
     late_text,
     map_joints,
 )
-from simkit.plugins.control.trajectory.command import TrajectoryCommand
 from simkit.plugins.control.trajectory.segment import (
     MotionSegment,
     Trajectory,
@@ -23,22 +23,7 @@ from simkit.plugins.control.trajectory.segment import (
     sample,
     segment_between,
 )
-from simkit.plugins.control.trajectory.spline import Knot, State
-from simkit.plugins.control.trajectory.tolerances import JointTolerances
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ControlledJoints:
-    """What the controller knows of its joints."""
-
-    names: tuple[str, ...]
-    """Their names."""
-    turns: tuple[bool, ...]
-    """Whether each turns without end: then it takes the short way."""
-    tolerances: tuple[JointTolerances, ...]
-    """What is looked at while a goal is followed."""
-    allow_partial: bool = False
-    """Whether a command may leave out some of them."""
+from simkit.plugins.control.trajectory.settings import ControlledJoints
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -145,28 +130,3 @@ def _replaced(
         )
         begin_ns, begin = end_ns, end
     return tuple(segments)
-
-
-def hold(position: float, time_ns: int) -> Trajectory:
-    """Stay at a position [rad or m] from a time on [ns]."""
-    here = State(position).knot()
-    return (segment_between(time_ns, here, time_ns, here),)
-
-
-def stop(state: State, time_ns: int, duration_ns: int) -> Trajectory:
-    """Come to rest in a time.
-
-    It ends in the middle of the motion that would come back to where it starts, with the velocity
-    turned round, in twice the time: there the velocity is 0.
-
-    Args:
-        state: Where the joint is meant to be, and how it moves.
-        time_ns: When it begins to stop [ns].
-        duration_ns: How long it takes; more than 0 [ns].
-    """
-    start = Knot(position=state.position, velocity=state.velocity, acceleration=0.0)
-    back = Knot(position=state.position, velocity=-state.velocity, acceleration=0.0)
-    there_and_back = segment_between(time_ns, start, time_ns + 2 * duration_ns, back)
-    end_ns = time_ns + duration_ns
-    middle = there_and_back.sample(end_ns)
-    return (segment_between(time_ns, start, end_ns, middle.knot()),)

@@ -1,17 +1,78 @@
-"""The parameters of a JointTrajectoryController.
+"""What the parameters of a JointTrajectoryController say, and what a goal changes of it.
 
-Source: `JointTrajectoryController::init`, `getSegmentTolerances`, texts and defaults.
+Source: `JointTrajectoryController::init`, `getSegmentTolerances`, `tolerances.h`: texts and defaults.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 from simkit.errors import near_names
-from simkit.plugins.control.place import ControllerPlace, InitError
-from simkit.plugins.control.trajectory.replacement import ControlledJoints
-from simkit.plugins.control.trajectory.tolerances import JointTolerances, Tolerance
+from simkit.plugins.control.controller import Controller, InitError
 from simkit.urdf import JointType
+
+if TYPE_CHECKING:
+    from simkit.plugins.control.trajectory.segment import State
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tolerance:
+    """Largest errors of a state; 0 for what is not looked at."""
+
+    position: float = 0.0
+    """[rad or m]."""
+    velocity: float = 0.0
+    """[rad/s or m/s]."""
+    acceleration: float = 0.0
+    """[rad/s^2 or m/s^2]."""
+
+    def allows(self, error: State) -> bool:
+        """Whether an error is within it."""
+        return not (
+            0.0 < self.position < abs(error.position)
+            or 0.0 < self.velocity < abs(error.velocity)
+            or 0.0 < self.acceleration < abs(error.acceleration)
+        )
+
+    def changed(self, by: Any) -> Tolerance:
+        """This with what a control_msgs/JointTolerance says."""
+        return Tolerance(
+            position=_changed(self.position, by.position),
+            velocity=_changed(self.velocity, by.velocity),
+            acceleration=_changed(self.acceleration, by.acceleration),
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JointTolerances:
+    """The tolerances of one joint."""
+
+    path: Tolerance = Tolerance()
+    """On the way."""
+    goal: Tolerance = Tolerance()
+    """At the end."""
+    goal_time_s: float = 0.0
+    """How long it may take, after the end, to come within the tolerance there [s]."""
+
+
+NO_TOLERANCES = JointTolerances()
+"""Nothing is looked at."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ControlledJoints:
+    """What the controller knows of its joints."""
+
+    names: tuple[str, ...]
+    """Their names."""
+    turns: tuple[bool, ...]
+    """Whether each turns without end: then it takes the short way."""
+    tolerances: tuple[JointTolerances, ...]
+    """What is looked at while a goal is followed."""
+    allow_partial: bool = False
+    """Whether a command may leave out some of them."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,23 +89,23 @@ class TrajectorySettings:
     """How long it takes to come to rest [ns]; 0: it holds where it is."""
 
 
-def read_settings(place: ControllerPlace) -> TrajectorySettings:
+def settings_of(controller: Controller) -> TrajectorySettings:
     """The settings of a controller.
 
     Raises:
-        InitError: They are of no use.
+        InitError: They do not fit together or the robot.
     """
-    state_rate = place.number("state_publish_rate", 50.0, is_positive=True)
-    monitor_rate = place.number("action_monitor_rate", 20.0, is_positive=True)
-    stop_s = place.number("stop_trajectory_duration", 0.0)
-    names = place.names("joints")
-    turns = _turns(place, names)
+    state_rate = controller.number("state_publish_rate", 50.0, is_positive=True)
+    monitor_rate = controller.number("action_monitor_rate", 20.0, is_positive=True)
+    stop_s = controller.number("stop_trajectory_duration", 0.0)
+    names = controller.joint_names()
+    turns = _turns(controller, names)
     return TrajectorySettings(
         joints=ControlledJoints(
             names=names,
             turns=turns,
-            tolerances=_tolerances(place, names),
-            allow_partial=bool(place.parameter("allow_partial_joints_goal", False)),
+            tolerances=_tolerances(controller, names),
+            allow_partial=bool(controller.parameter("allow_partial_joints_goal", False)),
         ),
         state_publish_rate=state_rate,
         action_monitor_rate=monitor_rate,
@@ -52,9 +113,9 @@ def read_settings(place: ControllerPlace) -> TrajectorySettings:
     )
 
 
-def _turns(place: ControllerPlace, names: tuple[str, ...]) -> tuple[bool, ...]:
+def _turns(controller: Controller, names: tuple[str, ...]) -> tuple[bool, ...]:
     """Which joints turn without end."""
-    known = place.robot().joints
+    known = controller.robot().joints
     for name in names:
         if name not in known:
             near = near_names(name, known)
@@ -66,16 +127,41 @@ def _turns(place: ControllerPlace, names: tuple[str, ...]) -> tuple[bool, ...]:
     return tuple(known[name].type is JointType.CONTINUOUS for name in names)
 
 
-def _tolerances(place: ControllerPlace, names: tuple[str, ...]) -> tuple[JointTolerances, ...]:
-    at_rest = place.number("constraints/stopped_velocity_tolerance", 0.01)
-    goal_time_s = place.number("constraints/goal_time", 0.0)
+def _tolerances(controller: Controller, names: tuple[str, ...]) -> tuple[JointTolerances, ...]:
+    at_rest = controller.number("constraints/stopped_velocity_tolerance", 0.01)
+    goal_time_s = controller.number("constraints/goal_time", 0.0)
     return tuple(
         JointTolerances(
-            path=Tolerance(position=place.number(f"constraints/{name}/trajectory", 0.0)),
+            path=Tolerance(position=controller.number(f"constraints/{name}/trajectory", 0.0)),
             goal=Tolerance(
-                position=place.number(f"constraints/{name}/goal", 0.0), velocity=at_rest
+                position=controller.number(f"constraints/{name}/goal", 0.0), velocity=at_rest
             ),
             goal_time_s=goal_time_s,
         )
         for name in names
     )
+
+
+def goal_tolerances(
+    goal: Any, names: Sequence[str], defaults: Sequence[JointTolerances]
+) -> tuple[JointTolerances, ...]:
+    """The tolerances of the joints for a control_msgs/FollowJointTrajectoryGoal."""
+    found = []
+    for name, tolerances in zip(names, defaults, strict=True):
+        path, end = tolerances.path, tolerances.goal
+        for one in goal.path_tolerance:
+            if one.name == name:
+                path = path.changed(one)
+        for one in goal.goal_tolerance:
+            if one.name == name:
+                end = end.changed(one)
+        goal_time_s = _changed(tolerances.goal_time_s, goal.goal_time_tolerance.to_sec())
+        found.append(JointTolerances(path=path, goal=end, goal_time_s=goal_time_s))
+    return tuple(found)
+
+
+def _changed(value: float, by: float) -> float:
+    """A tolerance with what a goal says: more than 0 counts, less than 0 is none, 0 changes nothing."""
+    if by > 0.0:
+        return by
+    return 0.0 if by < 0.0 else value

@@ -16,8 +16,9 @@ MOTOR = '<actuator name="m"/>'
 
 def read(inside, name=' name="t"'):
     document = parse_xml(f"<robot><transmission{name}>{inside}</transmission></robot>", file="r")
-    found, complaints = read_transmissions(document.root)
-    return found, [(one.level.name, one.text) for one in complaints]
+    said = []
+    found = read_transmissions(document.root, lambda level, text: said.append((level.name, text)))
+    return found, said
 
 
 def test_a_joint_has_the_interface_that_stands_in_it():

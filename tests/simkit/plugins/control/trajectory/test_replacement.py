@@ -12,16 +12,22 @@ import numpy as np
 import pytest
 
 from simkit.plugins.control.trajectory.command import Point, TrajectoryCommand, TrajectoryRefused
-from simkit.plugins.control.trajectory.replacement import (
-    ControlledJoints,
-    Instant,
+from simkit.plugins.control.trajectory.replacement import Instant, replace_trajectories
+from simkit.plugins.control.trajectory.segment import (
+    Knot,
+    State,
+    find_segment,
     hold,
-    replace_trajectories,
+    sample,
+    segment_between,
     stop,
 )
-from simkit.plugins.control.trajectory.segment import find_segment, sample, segment_between
-from simkit.plugins.control.trajectory.spline import Knot, State
-from simkit.plugins.control.trajectory.tolerances import NO_TOLERANCES, JointTolerances, Tolerance
+from simkit.plugins.control.trajectory.settings import (
+    NO_TOLERANCES,
+    ControlledJoints,
+    JointTolerances,
+    Tolerance,
+)
 
 S = 1_000_000_000
 

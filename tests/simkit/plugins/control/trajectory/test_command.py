@@ -6,8 +6,14 @@ import math
 
 import pytest
 
-from simkit.plugins.control.trajectory.checking import check_point, check_times, map_joints
-from simkit.plugins.control.trajectory.command import Point, TrajectoryCommand, TrajectoryRefused
+from simkit.plugins.control.trajectory.command import (
+    Point,
+    TrajectoryCommand,
+    TrajectoryRefused,
+    check_point,
+    check_times,
+    map_joints,
+)
 
 JOINTS = ("hip", "shoulder")
 EXPECTED = "Cannot create trajectory from message. It does not contain the expected joints."

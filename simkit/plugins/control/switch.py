@@ -7,12 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from simkit.errors import SimkitError, near_names
-
-if TYPE_CHECKING:
-    from simkit.plugins.control.manager import Loaded
+from simkit.plugins.control.controller import Controller
 
 BEST_EFFORT = 1
 """What cannot be done is left out."""
@@ -44,7 +41,7 @@ class Switch:
 
 
 def plan_switch(
-    loaded: Mapping[str, Loaded],
+    loaded: Mapping[str, Controller],
     start: Sequence[str],
     stop: Sequence[str],
     strictness: int,
@@ -72,7 +69,7 @@ def plan_switch(
     stops = _known(loaded, stop, "stop", is_strict=is_strict)
     starts = _known(loaded, start, "start", is_strict=is_strict)
     for name, one in loaded.items():
-        is_running = one.controller.is_running
+        is_running = one.is_running
         if name in stops and not is_running:
             if is_strict:
                 raise SwitchRefused(f"Could not stop controller '{name}' since it is not running")
@@ -81,12 +78,12 @@ def plan_switch(
             if is_strict:
                 raise SwitchRefused(f"Controller '{name}' is already running")
             starts.remove(name)
-    _require_peace(loaded, starts, stops, warn)
+    _refuse_conflicts(loaded, starts, stops, warn)
     return Switch(stop=tuple(stops), start=tuple(starts))
 
 
 def _known(
-    loaded: Mapping[str, Loaded], names: Sequence[str], verb: str, *, is_strict: bool
+    loaded: Mapping[str, Controller], names: Sequence[str], verb: str, *, is_strict: bool
 ) -> list[str]:
     """The names that there are, each once."""
     found: list[str] = []
@@ -106,8 +103,8 @@ def _known(
     return found
 
 
-def _require_peace(
-    loaded: Mapping[str, Loaded],
+def _refuse_conflicts(
+    loaded: Mapping[str, Controller],
     starts: Sequence[str],
     stops: Sequence[str],
     warn: Callable[[str], None],
@@ -115,15 +112,15 @@ def _require_peace(
     """Refuse two controllers for one joint."""
     claimants: dict[str, list[str]] = {}
     for name, one in loaded.items():
-        runs = name in starts or (one.controller.is_running and name not in stops)
-        for joint in one.controller.claims if runs else ():
+        runs = name in starts or (one.is_running and name not in stops)
+        for joint in one.claims if runs else ():
             claimants.setdefault(joint, []).append(name)
-    quarrels = {joint: names for joint, names in sorted(claimants.items()) if len(names) > 1}
-    for joint, names in quarrels.items():
+    conflicts = {joint: names for joint, names in sorted(claimants.items()) if len(names) > 1}
+    for joint, names in conflicts.items():
         who = "".join(f"{name}, " for name in names)
         warn(f"Resource conflict on [{joint}].  Controllers = [{who}]")
-    if quarrels:
-        joint, names = next(iter(quarrels.items()))
+    if conflicts:
+        joint, names = next(iter(conflicts.items()))
         raise SwitchRefused(
             "Could not switch controllers, due to resource conflict",
             f"{' and '.join(names)} both command {joint}: stop one of them in the same request, or "

@@ -4,8 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from simkit.plugins.control.trajectory.spline import State
-from simkit.plugins.control.trajectory.tolerances import JointTolerances, Tolerance
+from simkit.msgs import Duration, message_class
+from simkit.plugins.control.trajectory.segment import State
+from simkit.plugins.control.trajectory.settings import (
+    JointTolerances,
+    Tolerance,
+    goal_tolerances,
+)
 
 
 @pytest.mark.parametrize(
@@ -29,10 +34,14 @@ def test_no_tolerance_allows_everything():
 
 def test_a_goal_changes_keeps_and_takes_away():
     tolerance = Tolerance(position=0.1, velocity=0.2, acceleration=0.3)
-    changed = tolerance.changed(position=0.5, velocity=-1.0, acceleration=0.0)
-    assert changed == Tolerance(position=0.5, velocity=0.0, acceleration=0.3)
+    kind = message_class("control_msgs/JointTolerance")
+    said = kind(position=0.5, velocity=-1.0, acceleration=0.0)
+    assert tolerance.changed(said) == Tolerance(position=0.5, velocity=0.0, acceleration=0.3)
 
 
 @pytest.mark.parametrize(("said", "goal_time"), [(2.0, 2.0), (0.0, 0.7), (-1.0, 0.0)])
 def test_a_goal_says_how_long_its_end_may_take(said, goal_time):
-    assert JointTolerances(goal_time_s=0.7).with_goal_time(said).goal_time_s == goal_time
+    goal = message_class("control_msgs/FollowJointTrajectoryGoal")()
+    goal.goal_time_tolerance = Duration.from_nsec(round(said * 1e9))
+    (found,) = goal_tolerances(goal, ["hip"], [JointTolerances(goal_time_s=0.7)])
+    assert found.goal_time_s == goal_time
