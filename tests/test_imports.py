@@ -25,7 +25,7 @@ MAY_IMPORT = {
     "simkit.geometry": "",
     "simkit.msgs": "simkit.errors",
     "simkit.tf": "simkit.errors simkit.msgs",
-    "simkit.xml": "",
+    "simkit.xml": "simkit.errors",
     "simkit.diagnostics": "simkit.errors simkit.xml",
     "simkit.urdf": "simkit.errors simkit.xml simkit.diagnostics simkit.packages simkit.tf "
     "simkit.plugins.tags simkit.plugins.registry",

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from simkit.launch.refusal import Kind, LaunchPlace, LaunchRefused, Lesson
 from simkit.launch.rules import SYNTAX
 from simkit.xml import Document, Element, Fault, FaultKind, Span, parse_xml
-from simkit.xml.expat_words import words_of_expat
+from simkit.xml.parser import words_of_expat
 
 _ROOT = "Invalid roslaunch XML syntax: no root <launch> tag"
 

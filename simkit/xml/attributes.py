@@ -1,20 +1,27 @@
-"""Reads the attributes of a start tag; what learners do to them is told apart in `attribute_faults`."""
+"""Reads the attributes of a start tag, and tells apart what learners do to them.
+
+They forget quotation marks, or all of them, take those of a word processor, or leave junk between attributes.
+"""
 
 from __future__ import annotations
 
 import re
 from typing import NamedTuple
 
-from simkit.xml.attribute_faults import (
-    MissingQuote,
-    describe_junk,
-    junk_end,
-    missing_quote,
-    unquoted_value,
-)
 from simkit.xml.document import Attribute, FaultKind, Span
-from simkit.xml.letters import NAME, SPACE, WHITE, Pattern, short
-from simkit.xml.references import TO_SPACE, replace_in_value
+from simkit.xml.letters import (
+    NAME,
+    NAME_START,
+    QUOTES,
+    SPACE,
+    TO_SPACE,
+    WHITE,
+    Pattern,
+    is_foreign,
+    replace_in_value,
+    short,
+    words_on_junk,
+)
 from simkit.xml.source import Source
 
 _GOOD = Pattern(rf"{SPACE}++({NAME}){SPACE}*+={SPACE}*+(?:\"([^<&\"]*+)\"|'([^<&']*+)')")
@@ -22,6 +29,29 @@ _SPACES = Pattern(f"{SPACE}*+")
 _NAME = Pattern(NAME)
 _EQUALS = Pattern(rf"{SPACE}*+(=[={WHITE}]*+)?")
 _QUOTED = Pattern(r"[\"']([^\"'\n<>]*+)")
+_NEXT = rf"(?<![ \t])[ \t]++{NAME}[ \t]*+="
+_CUT = Pattern(rf"{_NEXT}[ \t]*+[\"']|/?>|[\n<]")
+_STOP = Pattern(rf"{_NEXT}|[/\\]?>|[\n<]")
+_NEXT_NAME = Pattern(rf"(?:^|{WHITE[0]}|\t|\n){NAME}[ \t\n]*+=[ \t\n]*+$")
+_JUNK = Pattern(rf"[\"'/\\=]|[^{NAME_START[1:-1]} \t\n<>\"'/\\=]++")
+_NAME_LENGTH = 200
+
+
+class _Cut(NamedTuple):
+    """A value without a quotation mark at its end: index behind the value, most likely, and where reading goes on."""
+
+    end: int
+    resume: int
+
+
+class _Unquoted(NamedTuple):
+    """A value without quotation marks that XML knows: its place, what is meant, and what is wrong with it."""
+
+    start: int
+    end: int
+    value: str
+    what: str
+    is_bare: bool
 
 
 class _Place(NamedTuple):
@@ -105,26 +135,21 @@ class AttributeList:
         text, last = self._source.text, self._last
         if last is not None and last.end + 1 == self.at:
             self._last = None
-            if self._mend(last):
+            cut = _missing_quote(text, last.start, last.end)
+            if cut is not None:  # the fault lies in the attribute before, which looked right
+                self._cut(last, cut)
                 return
         start = self.after_space()
         name = _NAME.match(text, start)
         if name is not None:
             self._special(name, has_space=start > self.at)
             return
-        self.at = junk_end(text, start)
-        described = describe_junk(text[start : self.at])
-        if described is not None:
-            self.fault(start, self.at, what=described[0], remedy=described[1])
+        self.at = _junk_end(text, start)
+        junk = text[start : self.at]
+        if not all(map(is_foreign, junk)):  # which are faults anywhere
+            what, remedy = words_on_junk(junk)
+            self.fault(start, self.at, what=what, remedy=remedy)
         self._is_quiet = True
-
-    def _mend(self, last: _Place) -> bool:
-        """Whether the fault lies in the attribute before, which looked right; if so it is read anew."""
-        text = self._source.text
-        cut = missing_quote(text, last.start, last.end)
-        if cut is not None:
-            self._cut(last, cut)
-        return cut is not None
 
     def _special(self, name: re.Match[str], *, has_space: bool) -> None:
         """An attribute with a fault, or with references in its value."""
@@ -139,10 +164,9 @@ class AttributeList:
         equals = _EQUALS.match(text, name.end())
         sign = (equals[1] if equals else None) or ""
         at = equals.end() if equals else name.end()
-        is_quoted = text[at : at + 1] in ('"', "'")
         if sign.count("=") != 1:
             self._not_one_equals(name, sign, at)
-        if is_quoted:
+        if text[at : at + 1] in ('"', "'"):
             self._quoted(name, at)
         elif sign:
             self._unquoted(name, at)
@@ -168,22 +192,17 @@ class AttributeList:
         end = source.find(source.text[at], at + 1)
         self._last = place = _Place(_attribute_name(name), name.start(), at + 1, end)
         bracket = source.text.find("<", at + 1, end) if end >= 0 else -1
-        cut = missing_quote(source.text, at + 1, end) if bracket >= 0 or end < 0 else None
+        cut = _missing_quote(source.text, at + 1, end) if bracket >= 0 or end < 0 else None
         if cut is not None:
             self._cut(place, cut)
             return
         if bracket >= 0:
-            source.fault(
-                FaultKind.BAD_CHARACTER,
-                bracket,
-                bracket + 1,
-                what=f"< cannot stand in the value of {short(name[0])}",
-                remedy="Write &lt; instead.",
-            )
+            what, kind = f"< cannot stand in the value of {short(name[0])}", FaultKind.BAD_CHARACTER
+            source.fault(kind, bracket, bracket + 1, what=what, remedy="Write &lt; instead.")
         self._keep(place, *replace_in_value(source, at + 1, end))
         self.at = end + 1
 
-    def _cut(self, place: _Place, cut: MissingQuote) -> None:
+    def _cut(self, place: _Place, cut: _Cut) -> None:
         """Let a value without a quotation mark at its end, the last one read, end earlier."""
         value = self._source.text[place.start : cut.end]
         self.fault(
@@ -197,21 +216,20 @@ class AttributeList:
         self.at = cut.resume
 
     def _unquoted(self, name: re.Match[str], at: int) -> None:
-        found = unquoted_value(self._source.text, at)
+        found, shown = _unquoted_value(self._source.text, at), short(name[0])
         if found is None:
-            shown = short(name[0])
-            self.fault(
-                *name.span(),
-                what=f"there is no value behind {shown}=",
-                remedy=f'Write {shown}="...", or delete it.',
+            what, remedy = (
+                f"there is no value behind {shown}=",
+                f'Write {shown}="...", or delete it.',
             )
+            self.fault(*name.span(), what=what, remedy=remedy)
             self.at = at
             return
         self.fault(
             at,
             found.end,
-            what=f"the value of {short(name[0])} {found.what}",
-            remedy=f'Write {short(name[0])}="{short(found.value)}"',
+            what=f"the value of {shown} {found.what}",
+            remedy=f'Write {shown}="{short(found.value)}"',
             kind=FaultKind.LOOSE_ATTRIBUTE if found.is_bare else FaultKind.MALFORMED_TAG,
         )
         end = found.start + len(found.value)
@@ -237,3 +255,46 @@ class AttributeList:
             remedy=f"Delete one of the two {short(name)}=..., or rename the one that was meant to be another.",
             other=first.name_span,
         )
+
+
+def _missing_quote(text: str, start: int, end: int) -> _Cut | None:
+    """Whether a value that begins at `start`, and ends before the quotation mark at `end`, was meant to end earlier.
+
+    Its closing quotation mark is then the opening one of another attribute. `end` is -1 if there is none at all.
+    """
+    value = text[start : len(text) if end < 0 else end]
+    behind = text[end + 1 : end + 2]
+    reaches_on = "<" in value and ("\n" in value or (behind not in WHITE and behind not in "/>"))
+    if end >= 0 and not reaches_on and _NEXT_NAME.search(value[-_NAME_LENGTH:]) is None:
+        return None
+    cut = _CUT.search(text, start)
+    resume = cut.start() if cut else len(text)
+    value = text[start:resume].rstrip(WHITE)
+    other = "'" if text[start - 1] == '"' else '"'
+    value = value[:-1] if value.endswith(other) and value.count(other) == 1 else value
+    return _Cut(end=start + len(value), resume=resume)
+
+
+def _unquoted_value(text: str, start: int) -> _Unquoted | None:
+    """The value that begins at `start` without a quotation mark; None if there is none."""
+    stop = _STOP.search(text, start)
+    end = stop.start() if stop else len(text)
+    raw = text[start:end].rstrip(WHITE)
+    value = raw.strip(QUOTES + "\"'")
+    if not value:
+        return None
+    if raw[0] in QUOTES:
+        what = f"stands between {raw[0]} {raw[-1]}, quotation marks of a word processor; XML has \" and '"
+    elif raw[-1] in "\"'":
+        what = "has no quotation mark at its beginning"
+    else:
+        what = "does not stand in quotation marks"
+    first = start + raw.index(value[0]) if raw[0] in QUOTES else start
+    is_bare = raw == value and not any(letter in WHITE for letter in value)
+    return _Unquoted(start=first, end=end, value=value, what=what, is_bare=is_bare)
+
+
+def _junk_end(text: str, start: int) -> int:
+    """Index behind something that does not belong into a tag."""
+    found = _JUNK.match(text, start)
+    return found.end() if found else start + 1

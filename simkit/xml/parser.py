@@ -13,10 +13,9 @@ from __future__ import annotations
 import functools
 from dataclasses import replace
 
-from simkit.xml.decoding import Decoded, decode
 from simkit.xml.document import Document, FaultKind
 from simkit.xml.scanner import tokens_of
-from simkit.xml.source import Source
+from simkit.xml.source import Decoded, Source, decode
 from simkit.xml.tree import build_tree
 
 MOST_KEPT = 32
@@ -68,3 +67,38 @@ def _read(decoded: Decoded) -> Document:
 
 def _with_newlines(text: str) -> str:
     return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+_DANGEROUS = (FaultKind.ENTITY, FaultKind.TOO_DEEP)
+"""What expat must not even see."""
+
+
+def words_of_expat(document: Document) -> str | None:
+    """Why expat refuses a text; None if it takes it, or if it was not asked.
+
+    It is asked only where our own parser has found a fault, and where names are special: prefixes of namespaces must be
+    declared, which XML itself does not ask for, and beyond ASCII expat knows only the letters of XML's fourth edition.
+    """
+    if any(fault.kind in _DANGEROUS for fault in document.faults):
+        return None
+    if not document.faults and not _has_special_names(document):
+        return None
+    from xml.parsers import expat
+
+    parser = expat.ParserCreate("utf-8", namespace_separator=" ")
+    parser.namespace_prefixes = True
+    try:
+        parser.Parse(document.text.encode("utf-8", "surrogatepass"), True)
+    except expat.ExpatError as error:
+        return str(error)
+    return None
+
+
+def _has_special_names(document: Document) -> bool:
+    """Whether a name is not ASCII, or has a prefix other than `xml` and `xmlns`, which are always known."""
+    elements = document.root.walk() if document.root is not None else ()
+    return any(
+        not name.isascii() or (":" in name and not name.startswith(("xmlns:", "xml:")))
+        for element in elements
+        for name in (element.name, *(one.name for one in element.attributes))
+    )

@@ -1,4 +1,4 @@
-"""Start tags without an end tag, and end tags without a start tag: what is said of them, and what the tree becomes.
+"""Start and end tags that do not belong together: what is said of them, and what the tree becomes.
 
 Where the tag that is missing belongs is seen from the element around it and from the indentation, and not looked for farther.
 """
@@ -6,6 +6,7 @@ Where the tag that is missing belongs is seen from the element around it and fro
 from __future__ import annotations
 
 import re
+from itertools import islice
 
 from simkit.xml.document import Attribute, Element, FaultKind, Span
 from simkit.xml.letters import NAME, SPACE, WHITE, Pattern, short
@@ -110,6 +111,44 @@ def note_bare_tag(source: Source, one: OpenElement, name: str, other: Span) -> b
         other=other,
     )
     return True
+
+
+def note_misspelt(source: Source, tag: EndTag, start: StartTag) -> None:
+    """One of two tags is misspelt: the one whose name stands nowhere else."""
+    start_span = source.span(start.at, start.at + len(start.name))
+    end_span = source.span(tag.at, tag.end)
+    opened, closed = f"<{short(start.name)}>", f"</{short(tag.name)}>"
+    is_start_rare, is_end_rare = _is_rare(source, start.name), _is_rare(source, tag.name)
+    if is_start_rare and not is_end_rare:
+        what = f"{opened} is closed by {closed} in line {end_span.line}, whose name is another"
+        remedy = f"Write <{short(tag.name)}> here."
+        start_span, end_span = end_span, start_span
+    else:
+        what = f"{closed} is to close {opened} of line {start_span.line}, but its name is another"
+        remedy = f"Write </{short(start.name)}>"
+        if is_start_rare and is_end_rare:
+            remedy += f", or <{short(tag.name)}> in line {start_span.line}"
+    kind = FaultKind.MISMATCHED_TAG
+    source.fault_at(kind, end_span, what=what, remedy=remedy, other=start_span)
+
+
+def _is_rare(source: Source, name: str) -> bool:
+    """Whether a name stands in one tag only."""
+    tags = re.finditer(rf"</?{re.escape(name)}(?![-.:\w])", source.text)
+    return next(islice(tags, 1, None), None) is None
+
+
+def note_mismatched(source: Source, tag: EndTag, start: StartTag) -> None:
+    """Note an end tag where another element is to be closed."""
+    line = source.line_of(start.at)
+    source.fault(
+        FaultKind.MISMATCHED_TAG,
+        tag.at,
+        tag.end,
+        what=f"</{short(tag.name)}> stands where <{short(start.name)}> of line {line} is to be closed",
+        remedy=f"Write </{short(start.name)}>",
+        other=source.span(start.at, start.at + len(start.name)),
+    )
 
 
 def wrap_loose(source: Source, end: EndTag, one: OpenElement) -> None:

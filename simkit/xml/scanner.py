@@ -12,10 +12,10 @@ from simkit.xml.letters import (
     SPACE,
     WHITE,
     Pattern,
+    replace_references,
     short,
     spoken,
 )
-from simkit.xml.references import replace_references
 from simkit.xml.sections import (
     read_cdata,
     read_comment,

@@ -8,24 +8,28 @@ from collections.abc import Sequence
 from itertools import islice
 from typing import NamedTuple
 
+from simkit.errors import near_names
 from simkit.xml.document import Element, FaultKind, Span
 from simkit.xml.letters import WHITE, short
 from simkit.xml.repair import (
     OpenElement,
     is_twin,
     note_bare_tag,
+    note_mismatched,
+    note_misspelt,
     repair_end_of_file,
     repair_unclosed,
     wrap_loose,
 )
 from simkit.xml.source import Source
-from simkit.xml.spelling import is_near
 from simkit.xml.tags import EndTag, StartTag, Text, Token
 
 MAX_DEPTH = 256
 """Elements inside of each other that are kept."""
 _FAR = 600
 """Tokens that are looked at ahead for the next end tag."""
+_LONGEST_NAME = 40
+"""A longer name is no slip of the pen."""
 _TAG = re.compile(r"<[A-Za-z_!?/\\]|<\s+\w[^<>]*>")
 
 
@@ -138,11 +142,11 @@ class _Builder:
             self._close(tag)
         elif self._source.is_full:
             return
-        elif is_near(tag.name, self._open[-1].name):
-            self._note_misspelt(tag, self._open[-1].tag)
+        elif _is_misspelt(tag.name, self._open[-1].name):
+            note_misspelt(self._source, tag, self._open[-1].tag)
             self._close(tag)
         elif len(self._open) > 1 and self._next_end(number) == self._open[-2].name:
-            self._note_mismatched(tag, self._open[-1].tag)
+            note_mismatched(self._source, tag, self._open[-1].tag)
             self._close(tag)
         else:
             self._stray(tag)
@@ -223,44 +227,6 @@ class _Builder:
         source.fault(FaultKind.STRAY_END, tag.at, tag.end, what=what, remedy=remedy, other=other)
         return is_second
 
-    def _note_misspelt(self, tag: EndTag, start: StartTag) -> None:
-        """One of two tags is misspelt: the one whose name stands nowhere else."""
-        source = self._source
-        start_span = source.span(start.at, start.at + len(start.name))
-        end_span = source.span(tag.at, tag.end)
-        opened, closed = f"<{short(start.name)}>", f"</{short(tag.name)}>"
-        is_start_rare, is_end_rare = self._is_rare(start.name), self._is_rare(tag.name)
-        if is_start_rare and not is_end_rare:
-            what = f"{opened} is closed by {closed} in line {end_span.line}, whose name is another"
-            remedy = f"Write <{short(tag.name)}> here."
-            start_span, end_span = end_span, start_span
-        else:
-            what = (
-                f"{closed} is to close {opened} of line {start_span.line}, but its name is another"
-            )
-            remedy = f"Write </{short(start.name)}>"
-            if is_start_rare and is_end_rare:
-                remedy += f", or <{short(tag.name)}> in line {start_span.line}"
-        kind = FaultKind.MISMATCHED_TAG
-        source.fault_at(kind, end_span, what=what, remedy=remedy, other=start_span)
-
-    def _is_rare(self, name: str) -> bool:
-        """Whether a name stands in one tag only."""
-        tags = re.finditer(rf"</?{re.escape(name)}(?![-.:\w])", self._source.text)
-        return next(islice(tags, 1, None), None) is None
-
-    def _note_mismatched(self, tag: EndTag, start: StartTag) -> None:
-        source = self._source
-        line = source.line_of(start.at)
-        source.fault(
-            FaultKind.MISMATCHED_TAG,
-            tag.at,
-            tag.end,
-            what=f"</{short(tag.name)}> stands where <{short(start.name)}> of line {line} is to be closed",
-            remedy=f"Write </{short(start.name)}>",
-            other=source.span(start.at, start.at + len(start.name)),
-        )
-
     # -- faults of the whole file
 
     def _note_second_root(self, tag: StartTag) -> None:
@@ -293,6 +259,11 @@ class _Builder:
             self._said.add(key)
             other = self.roots[0].span if kind is FaultKind.SECOND_ROOT else None
             self._source.fault(kind, start, end, what=what, remedy=remedy, other=other)
+
+
+def _is_misspelt(name: str, other: str) -> bool:
+    is_short = max(len(name), len(other)) <= _LONGEST_NAME
+    return is_short and bool(near_names(name, [other]))
 
 
 def _keep_text(one: OpenElement) -> None:

@@ -14,7 +14,7 @@ from typing import Any
 
 from simkit.nodes.joint_state_publisher.settings import Crash, SliderSettings, to_number
 from simkit.xml import Element, parse_xml
-from simkit.xml.expat_words import words_of_expat
+from simkit.xml.parser import words_of_expat
 
 _ENTITY = re.compile(r"<!ENTITY\s+(?:%\s+)?([^\s>]+)")
 _LEFT_OUT = ("fixed", "floating", "planar")
