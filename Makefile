@@ -9,6 +9,10 @@ TESTS  := $(VENV)/.tests
 PEERS  := $(VENV)/.peers
 UV     := $(BIN)/uv pip install --python $(BIN)/python
 WORK   := work
+# Nodes and checkers write no bytecode, and with PYTHONDONTWRITEBYTECODE nobody does: each process would compile
+# the libraries anew, which takes longer than all else that most of them do.
+SITE   := $(VENV)/lib/python*/site-packages
+COMPILE := $(BIN)/python -m compileall -qq -j 0
 LOCK   := $(BIN)/uv pip compile --universal --generate-hashes --no-emit-index-url --no-emit-find-links \
             --python-version 3.11 --quiet --custom-compile-command "make lock"
 
@@ -30,13 +34,14 @@ $(READY): requirements-uv.lock requirements.lock pyproject.toml
 	@$(BIN)/python -m pip install --quiet --require-hashes -r requirements-uv.lock
 	@test -t 2 || quiet=--quiet; $(UV) $$quiet --require-hashes -r requirements.lock
 	@$(UV) --quiet --no-deps --no-build-isolation -e .
-	@$(BIN)/python -m compileall -q simkit grader
+	-@$(COMPILE) simkit grader $(SITE)/numpy $(SITE)/_pytest
 	@touch $(READY)
 
 # What only the tests and the developers' tools need, on top of what students have.
 $(TESTS): $(READY) requirements-test.lock
 	@echo "Adding the tools of the tests: $$(($$(grep -c '^[a-z].*==' requirements-test.lock) - $$(grep -c '^[a-z].*==' requirements.lock))) packages, about 60 MB."
 	@test -t 2 || quiet=--quiet; $(UV) $$quiet --require-hashes -r requirements-test.lock
+	-@$(COMPILE) $(SITE)
 	@touch $(TESTS)
 
 # A login shell would set PATH anew, and `simkit` would not be found in the terminals of the lab.
@@ -50,9 +55,11 @@ grade: $(READY)
 	$(BIN)/grader grade solutions exercises --out gradebook
 
 test: $(TESTS)
+	-@$(COMPILE) simkit grader
 	$(BIN)/python -m pytest -n 2 -m "not slow"
 
 test-all: $(TESTS)
+	-@$(COMPILE) simkit grader
 	$(BIN)/python -m pytest -n 2
 
 lint: $(TESTS)
