@@ -14,6 +14,7 @@ geometry_msgs/TransformStamped the function reads:
 from __future__ import annotations
 
 import struct
+import sys
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -22,6 +23,7 @@ from simkit.msgs.digest import definition_of
 from simkit.msgs.rostime import TVal
 
 Encode = Callable[[Any], bytes]
+_IS_LITTLE = sys.byteorder == "little"
 
 
 def compile_encoder(definition: Definition, encoder_of: Callable[[str], Encode]) -> Encode:
@@ -48,7 +50,7 @@ class _Writer:
     def __init__(self, encoder_of: Callable[[str], Encode]) -> None:
         self.encoder_of = encoder_of
         self.names: dict[str, Any] = {
-            "pack": struct.pack,
+            "numbers": _numbers,
             "octets": _octets,
             "strings": _strings,
             "times": _times,
@@ -104,7 +106,7 @@ class _Writer:
     def _elements(self, field: Field, array: str) -> str:
         """Expression of the bytes of all elements."""
         if field.base in NUMBER_CODES:
-            return f'pack(f"<{{len({array})}}{NUMBER_CODES[field.base]}", *{array})'
+            return f'numbers("{NUMBER_CODES[field.base]}", {array})'
         if field.base in TIME_CODES:
             return f'times("<{2 * TIME_CODES[field.base]}", {array})'
         if field.base == "string":
@@ -158,6 +160,15 @@ def _sized(value: Any, length: int) -> Any:
     if len(value) != length:
         raise ValueError(f"{len(value)} elements instead of {length}")
     return value
+
+
+def _numbers(code: str, values: Any) -> bytes:
+    # The memory of a numpy array of just this type is what is sent.
+    if _IS_LITTLE and hasattr(values, "dtype"):
+        memory = memoryview(values)
+        if memory.format == code and memory.ndim == 1 and memory.c_contiguous:
+            return memory.tobytes()
+    return struct.pack(f"<{len(values)}{code}", *values)
 
 
 def _strings(values: Iterable[str]) -> bytes:

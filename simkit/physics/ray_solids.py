@@ -2,7 +2,8 @@
 
 Each function takes origins [m] and unit directions in the frame of the solid, (3, n) or (3, 1) for
 all rays, and returns the distance to the first point of the surface ahead [m], (n,); inf if there
-is none. Coordinates come first, so that each is one piece of memory.
+is none. Coordinates come first, so that each is one piece of memory. Rays along a face divide by
+zero, and roots of negative numbers are misses: whoever calls these functions has numpy keep quiet.
 """
 
 from __future__ import annotations
@@ -29,12 +30,11 @@ def hit_box(origins: Floats, directions: Floats, half: tuple[float, float, float
         half: Half of its lengths [m].
     """
     sides = np.array(half)[:, None]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        inverse = 1.0 / directions
-        one, other = (-sides - origins) * inverse, (sides - origins) * inverse
-        # fmin and fmax pass over NaN: 0 * inf, of a ray within a face.
-        entry = np.fmax.reduce(np.fmin(one, other), axis=0)
-        leave = np.fmin.reduce(np.fmax(one, other), axis=0)
+    inverse = 1.0 / directions
+    one, other = (-sides - origins) * inverse, (sides - origins) * inverse
+    # fmin and fmax pass over NaN: 0 * inf, of a ray within a face.
+    entry = np.fmax.reduce(np.fmin(one, other), axis=0)
+    leave = np.fmin.reduce(np.fmax(one, other), axis=0)
     is_hit = (entry <= leave) & (leave >= 0.0)
     return np.where(is_hit, np.where(entry >= 0.0, entry, leave), np.inf)
 
@@ -50,19 +50,18 @@ def hit_cylinder(origins: Floats, directions: Floats, radius: float, half: float
     """A cylinder along z of a radius and half a length [m]."""
     (ox, oy, oz), (dx, dy, dz) = origins, directions
     found = np.full(directions.shape[1], np.inf)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        flat = dx * dx + dy * dy
-        along = (ox * dx + oy * dy) / flat
-        ax, ay = ox - along * dx, oy - along * dy
-        spread = np.sqrt((radius * radius - (ax * ax + ay * ay)) / flat)
-        for side in (-along - spread, -along + spread):
-            is_wall = (side >= 0.0) & (np.abs(oz + side * dz) <= half)
-            np.minimum(found, np.where(is_wall, side, np.inf), out=found)
-        for height in (-half, half):
-            cap = (height - oz) / dz
-            px, py = ox + cap * dx, oy + cap * dy
-            is_cap = (cap >= 0.0) & (px * px + py * py <= radius * radius)
-            np.minimum(found, np.where(is_cap, cap, np.inf), out=found)
+    flat = dx * dx + dy * dy
+    along = (ox * dx + oy * dy) / flat
+    ax, ay = ox - along * dx, oy - along * dy
+    spread = np.sqrt((radius * radius - (ax * ax + ay * ay)) / flat)
+    for side in (-along - spread, -along + spread):
+        is_wall = (side >= 0.0) & (np.abs(oz + side * dz) <= half)
+        np.minimum(found, np.where(is_wall, side, np.inf), out=found)
+    for height in (-half, half):
+        cap = (height - oz) / dz
+        px, py = ox + cap * dx, oy + cap * dy
+        is_cap = (cap >= 0.0) & (px * px + py * py <= radius * radius)
+        np.minimum(found, np.where(is_cap, cap, np.inf), out=found)
     return found
 
 
@@ -75,8 +74,7 @@ def hit_plane(origins: Floats, directions: Floats, normal: tuple[float, float, f
         normal: Its unit normal.
     """
     up = np.array(normal)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        found = -(up @ origins) / (up @ directions)
+    found = -(up @ origins) / (up @ directions)
     return np.where(found >= 0.0, found, np.inf)
 
 
@@ -105,22 +103,20 @@ def _hit_all(origins: Floats, directions: Floats, corners: Floats) -> Floats:
     across = np.cross(directions[:, None], other[None])
     away = origins[:, None] - first[None]
     beside = np.cross(away, one[None])
-    with np.errstate(divide="ignore", invalid="ignore"):
-        inverse = 1.0 / np.einsum("ijk,jk->ij", across, one)
-        u = np.einsum("ijk,ijk->ij", away, across) * inverse
-        v = np.einsum("ik,ijk->ij", directions, beside) * inverse
-        distance = np.einsum("jk,ijk->ij", other, beside) * inverse
-        is_hit = (u >= -_EDGE) & (v >= -_EDGE) & (u + v <= 1.0 + _EDGE) & (distance >= 0.0)
+    inverse = 1.0 / np.einsum("ijk,jk->ij", across, one)
+    u = np.einsum("ijk,ijk->ij", away, across) * inverse
+    v = np.einsum("ik,ijk->ij", directions, beside) * inverse
+    distance = np.einsum("jk,ijk->ij", other, beside) * inverse
+    is_hit = (u >= -_EDGE) & (v >= -_EDGE) & (u + v <= 1.0 + _EDGE) & (distance >= 0.0)
     nearest: Floats = np.where(is_hit, distance, np.inf).min(axis=1, initial=np.inf)
     return nearest
 
 
 def _first(along: Floats, spread: Floats) -> Floats:
     """The smaller of -along ± sqrt(spread) that is not behind; inf if there is none."""
-    with np.errstate(invalid="ignore"):
-        root = np.sqrt(spread)
-        near, far = -along - root, -along + root
-        return np.where(near >= 0.0, near, np.where(far >= 0.0, far, np.inf))
+    root = np.sqrt(spread)
+    near, far = -along - root, -along + root
+    return np.where(near >= 0.0, near, np.where(far >= 0.0, far, np.inf))
 
 
 def _dot(left: Floats, right: Floats) -> Floats:

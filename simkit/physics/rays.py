@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from simkit.physics.engine import isometry
 from simkit.physics.mesh import CollisionMesh
+from simkit.physics.model import Model
 from simkit.physics.plan import Plane, ShapePlan, Solid
 from simkit.physics.ray_solids import (
     Floats,
@@ -26,7 +27,6 @@ from simkit.physics.ray_solids import (
     hit_sphere,
     hit_triangles,
 )
-from simkit.physics.skeleton import Built
 from simkit.urdf.model import Box, Cylinder, Sphere
 
 MISS = -1
@@ -36,10 +36,10 @@ MISS = -1
 class Ball(NamedTuple):
     """A ball around a shape, a little larger than needed: what is left over covers rounding."""
 
-    middle: Floats
-    """Its middle in the frame of the shape [m], (3,)."""
     radius: float
     """Its radius [m]."""
+    middle: Floats | None = None
+    """Its middle in the frame of the shape [m], (3,); None for the origin of the shape."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,25 +55,42 @@ class Target:
     ball: Ball
     """What a ray passes that hits it."""
 
+    @property
+    def middle(self) -> Floats:
+        """Middle of the ball in the world [m], (3,)."""
+        inner = self.ball.middle
+        return self.origin if inner is None else self.origin + self.rotation @ inner
+
 
 class RayShapes:
     """What rays can hit of one model.
 
     Args:
-        built: The model in the engine.
+        model: The model.
     """
 
-    def __init__(self, built: Built) -> None:
-        self.labels = tuple(built.shapes)
+    def __init__(self, model: Model) -> None:
+        shapes = model.built.shapes
+        self.labels = tuple(shapes)
         """Names of its shapes in the engine, in the order of the targets."""
-        self._shapes = [self._seen(node, plan) for node, plan in built.shapes.values()]
+        self._model = model
+        self._moves = model.built.skeleton.getNumDofs() > 0
+        self._placings = -1
+        self._targets: list[Target] = []
+        self._shapes = [self._seen(node, plan) for node, plan in shapes.values()]
 
-    def targets(self) -> Iterator[Target]:
+    def targets(self) -> list[Target]:
         """Its shapes where they are now."""
-        for shape, ball, frame, inner in self._shapes:
-            pose = frame.getWorldTransform()
-            matrix = (pose if inner is None else pose.multiply(inner)).matrix()
-            yield Target(shape, matrix[:3, :3], matrix[:3, 3], ball)
+        if self._moves or self._placings != self._model.placings:
+            self._placings = self._model.placings
+            self._targets = [self._target(*one) for one in self._shapes]
+        return self._targets
+
+    @staticmethod
+    def _target(shape: Solid | CollisionMesh, ball: Ball, frame: Any, inner: Any) -> Target:
+        pose = frame.getWorldTransform()
+        matrix = (pose if inner is None else pose.multiply(inner)).matrix()
+        return Target(shape, matrix[:3, :3], matrix[:3, 3], ball)
 
     @staticmethod
     def _seen(node: Any, plan: ShapePlan) -> tuple[Any, Ball, Any, Any]:
@@ -115,44 +132,44 @@ def cast(
     points = np.ascontiguousarray(np.atleast_2d(np.asarray(origins, dtype=np.float64)).T)
     distances = np.full(ways.shape[1], np.inf)
     numbers = np.full(ways.shape[1], MISS, dtype=np.intp)
-    for number, passes in enumerate(_passing(points, ways, targets, reach)):
-        near: Any = slice(None) if passes.all() else np.flatnonzero(passes)
-        target = targets[number]
-        turn = target.rotation.T
-        away = (points if points.shape[1] == 1 else points[:, near]) - target.origin[:, None]
-        local = turn @ ways[:, near]
-        if not local.size:
-            continue
-        found = start + _hit(target.shape, turn @ away + start * local, local)
-        is_first = (found < distances[near]) & (found <= reach)
-        distances[near] = np.where(is_first, found, distances[near])
-        numbers[near] = np.where(is_first, number, numbers[near])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for number, rays in _passing(points, ways, targets, (start, reach)):
+            target = targets[number]
+            turn = target.rotation.T
+            away = (points if points.shape[1] == 1 else points.take(rays, 1)) - target.origin[
+                :, None
+            ]
+            local = turn @ ways.take(rays, 1)
+            found = start + _hit(target.shape, turn @ away + start * local, local)
+            is_first = (found < distances.take(rays)) & (found <= reach)
+            first = rays[is_first]
+            distances[first], numbers[first] = found[is_first], number
     return Hits(distances, numbers)
 
 
 def _passing(
-    points: Floats, ways: Floats, targets: Sequence[Target], reach: float
-) -> NDArray[np.bool_]:
-    """Whether a ray passes the ball around a target within reach: (targets, rays)."""
-    middles = np.array([one.origin + one.rotation @ one.ball.middle for one in targets])
-    radii = np.array([one.ball.radius for one in targets])[:, None]
-    if points.shape[1] == 1:
-        away = middles.reshape(-1, 3) - points.T
-        along = away @ ways
-        squares = (away * away).sum(axis=1)[:, None]
-    else:
-        away = middles.reshape(-1, 3, 1) - points
-        along = (away * ways).sum(axis=1)
-        squares = (away * away).sum(axis=1)
-    passes: NDArray[np.bool_] = along * along >= squares - radii * radii
-    passes &= along >= -radii
-    passes &= along <= reach + radii
-    return passes
+    points: Floats, ways: Floats, targets: Sequence[Target], between: tuple[float, float]
+) -> Iterator[tuple[int, NDArray[np.intp]]]:
+    """Numbers of targets, and of the rays that pass the ball around each between their start and their reach [m]."""
+    start, reach = between
+    away = np.array([one.middle for one in targets]).reshape(-1, 3, 1) - points
+    radii = np.array([one.ball.radius for one in targets]).reshape(-1, 1)
+    squares = (away * away).sum(axis=1)
+    gaps = np.sqrt(squares)
+    near = ((gaps + radii >= start) & (gaps - radii <= reach)).any(axis=1).nonzero()[0]
+    away, radii = away[near], radii[near]
+    along = away[:, :, 0] @ ways if points.shape[1] == 1 else (away * ways).sum(axis=1)
+    passes = along * along >= squares[near] - radii * radii
+    passes &= along >= start - radii
+    for number, row in zip(near.tolist(), passes, strict=True):
+        rays = row.nonzero()[0]
+        if rays.size:
+            yield number, rays
 
 
 def ball_around(shape: Solid | CollisionMesh) -> Ball:
     """The ball around a shape."""
-    middle, radius = np.zeros(3), math.inf
+    middle, radius = None, math.inf
     match shape:
         case Box():
             radius = math.hypot(*shape.size) / 2.0
@@ -162,7 +179,7 @@ def ball_around(shape: Solid | CollisionMesh) -> Ball:
             radius = shape.radius
         case CollisionMesh():
             middle, radius = shape.middle, shape.radius
-    return Ball(middle, radius * 1.001)
+    return Ball(radius * 1.001, middle)
 
 
 def _hit(shape: Solid | CollisionMesh, origins: Floats, directions: Floats) -> Floats:

@@ -272,7 +272,7 @@ class World:
     def _enlist(self, model: Model) -> None:
         """Let all parts of the world know of a new model."""
         name, plan, built = model.name, model.plan, model.built
-        self._ray_shapes[name] = RayShapes(built)
+        self._ray_shapes[name] = RayShapes(model)
         for label, (node, shape) in built.shapes.items():
             self._owners[label] = Owner(name, node.getBodyNodePtr().getName(), shape)
         if built.skeleton.getNumDofs() and not plan.is_static:

@@ -48,7 +48,7 @@ class Laser(Plugin[LaserParameters]):
         self.sensor = read_sensor(site, "ray")
         self.ray = read_ray(site, self.sensor)
         self.frame = resolve_frame(parameters.frame, tf_prefix(site))
-        self._fan = directions(self.ray)
+        self._fan = np.ascontiguousarray(directions(self.ray).T)
         self._rate = SensorRate(self.sensor.update_rate, site.now_ns)
         noise = self.ray.noise
         self._noise = None if noise is None else Noise(noise, site.seed("laser", self.sensor.name))
@@ -105,7 +105,7 @@ class Laser(Plugin[LaserParameters]):
     def _cast(self) -> tuple[Floats, Floats, Floats, NDArray[np.intp]]:
         """Where beams come from, where they go, how far they get from there, and what they hit."""
         pose = sensor_pose(self.site, self.sensor)
-        ways = self._fan @ np.array(pose.matrix).T
+        ways = (np.array(pose.matrix) @ self._fan).T
         origin, near = np.array(pose.translation), self.ray.near
         reach = max(near, self.ray.far)
         hits = self.site.world.cast_rays(origin, ways, reach=reach, start=near)
@@ -132,7 +132,8 @@ class Laser(Plugin[LaserParameters]):
         message.angle_min, message.angle_max = self.ray.flat.min_angle, self.ray.flat.max_angle
         message.angle_increment = self.ray.flat.step
         message.range_min, message.range_max = self.ray.near, self.ray.far
-        message.ranges, message.intensities = masked.tolist(), intensities.tolist()
+        message.ranges = masked.astype(np.float32)
+        message.intensities = intensities.astype(np.float32)
         return message
 
     def _retro(self, targets: NDArray[np.intp]) -> Floats:

@@ -43,6 +43,14 @@ def test_arrays_of_numbers_may_be_any_sequence(values):
     assert make("std_msgs/Float64MultiArray", data=values).to_bytes() == expected
 
 
+@pytest.mark.parametrize("kind", [np.float32, np.float64, np.int64])
+def test_arrays_of_numpy_are_sent_as_lists_are(kind):
+    scan = message_class("sensor_msgs/LaserScan")
+    values = np.array([1, 3, 2, 7], dtype=kind)
+    for given in (values, values[::2], values[:0]):
+        assert scan(ranges=given).to_bytes() == scan(ranges=given.tolist()).to_bytes()
+
+
 @pytest.mark.parametrize("data", [b"\1\2", bytearray(b"\1\2"), [1, 2], (1, 2), memoryview(b"\1\2")])
 def test_octets_may_be_bytes_or_a_list(data):
     assert make("std_msgs/UInt8MultiArray", data=data).to_bytes().endswith(b"\2\0\0\0\1\2")
