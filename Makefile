@@ -44,8 +44,8 @@ $(TESTS): $(READY) requirements-test.lock
 	-@$(COMPILE) $(SITE)
 	@touch $(TESTS)
 
-# A login shell would set PATH anew, and `simkit` would not be found in the terminals of the lab.
-TERMINALS = --ServerApp.terminado_settings="shell_command=['$${SHELL:-sh}']"
+# The terminals of the lab know the commands of ROS.
+TERMINALS = --ServerApp.terminado_settings="shell_command=['$(CURDIR)/$(BIN)/simkit','shell','--force']"
 
 lab: $(READY)
 	$(BIN)/grader start all

@@ -15,7 +15,8 @@ from simkit.errors import SimkitError, UnknownNameError, near_names
 
 MAX_DEPTH = 5
 """How deep below a folder of the path a package may lie."""
-PATH_VARIABLE = "SIMKIT_PACKAGE_PATH"
+PATH_VARIABLES = ("SIMKIT_PACKAGE_PATH", "ROS_PACKAGE_PATH")
+"""Environment variables with folders of packages, in the order in which they are searched."""
 IGNORED = "CATKIN_IGNORE"
 """A folder with a file of this name is passed over, with all that is in it, unless the path names that very folder."""
 _SKIPPED = {".git", ".venv", "node_modules", "__pycache__", ".ipynb_checkpoints"}
@@ -48,15 +49,23 @@ class Package:
         if found:
             listed = ", ".join(str(file.relative_to(self.folder)) for file in found)
             raise PackageError(f"package {self.name} has several files named {name}: {listed}")
-        scripts = [file.name for file in files if file.suffix == ".py" or os.access(file, os.X_OK)]
-        raise UnknownNameError(f"executable in package {self.name!r}", name, scripts)
+        raise UnknownNameError(f"executable in package {self.name!r}", name, self.executables())
+
+    def executables(self) -> list[str]:
+        """Names of the files that could be run: Python scripts, and what may be executed."""
+        return [
+            file.name
+            for file in sorted(_files(self.folder))
+            if file.suffix == ".py" or os.access(file, os.X_OK)
+        ]
 
 
 class PackagePath:
     """Folders in which packages are looked for, the first hit wins.
 
     Args:
-        folders: Searched first, in order; the working folder if None. Those of SIMKIT_PACKAGE_PATH follow.
+        folders: Searched first, in order; the working folder if None. Those of SIMKIT_PACKAGE_PATH and
+            ROS_PACKAGE_PATH follow.
         confined: Whether files outside of the packages are out of reach, and the environment too: for work of people
             who are not trusted.
     """
@@ -64,9 +73,10 @@ class PackagePath:
     def __init__(
         self, folders: Sequence[str | Path] | None = None, *, confined: bool = False
     ) -> None:
-        variable = "" if confined else os.environ.get(PATH_VARIABLE, "")
-        more = [part for part in variable.split(os.pathsep) if part]
-        given = list(folders) if folders is not None else [Path.cwd()]
+        more = [] if confined else _folders_of_environment()
+        given = [Path.cwd()] if folders is None else list(folders)
+        if folders is None and Path.cwd().parent == Path.cwd():
+            given = []  # nobody means the whole disk
         self.folders = [Path(folder).absolute() for folder in [*given, *more]]
         self.confined = confined
 
@@ -118,6 +128,11 @@ class PackagePath:
         raise UnknownNameError("package", name, packages)
 
 
+def _folders_of_environment() -> list[str]:
+    texts = [os.environ.get(variable, "") for variable in PATH_VARIABLES]
+    return [part for text in texts for part in text.split(os.pathsep) if part]
+
+
 def _manifests(folder: Path, depth: int) -> Iterator[Path]:
     manifest = folder / "package.xml"
     if manifest.is_file():
@@ -125,7 +140,11 @@ def _manifests(folder: Path, depth: int) -> Iterator[Path]:
         return
     if depth == 0 or not folder.is_dir():
         return
-    for child in sorted(folder.iterdir()):
+    try:
+        children = sorted(folder.iterdir())
+    except PermissionError:  # somebody else's folder has no package of ours
+        return
+    for child in children:
         if child.is_dir() and not child.is_symlink() and not _is_ignored(child):
             yield from _manifests(child, depth - 1)
 

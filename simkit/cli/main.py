@@ -38,6 +38,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"simkit {__version__}")
         return 0
     if words[0] not in COMMANDS:
+        from simkit.commands.words import ABSENT, SHORTHANDS
+
+        if words[0] in SHORTHANDS:
+            return main(SHORTHANDS[words[0]](words[1:]))
+        if words[0] in ABSENT:
+            return complain("simkit", f"there is no {words[0]} here: {ABSENT[words[0]]}")
         return complain("simkit", _unknown(words[0], list(COMMANDS)), USAGE_ERROR)
     return _run(COMMANDS[words[0]], words[1:])
 

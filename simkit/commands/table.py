@@ -55,13 +55,14 @@ class Entry:
         )
 
 
-_RUN, _ASK, _ROBOTS, _LOOK_UP, _HERE = (
+_RUN, _ASK, _ROBOTS, _LOOK_UP = (
     "Run nodes",
     "Ask a running simulation",
     "Robots",
     "Packages and types",
-    "This installation",
 )
+THIS_INSTALLATION = "This installation"
+"""Group of the commands that ROS has not."""
 _ENTRIES = (
     Entry(
         name="rosrun",
@@ -120,6 +121,12 @@ _ENTRIES = (
         module="simkit.commands.check_urdf",
     ),
     Entry(
+        name="urdf_to_graphiz",
+        summary="draw the tree of a robot",
+        group=_ROBOTS,
+        module="simkit.commands.urdf_to_graphiz",
+    ),
+    Entry(
         name="xacro",
         summary="make a URDF of a file with macros",
         group=_ROBOTS,
@@ -151,11 +158,63 @@ _ENTRIES = (
         module="simkit.commands.rospack",
     ),
     Entry(
+        name="roscd",
+        summary="go to the folder of a package",
+        group=_LOOK_UP,
+        module="simkit.commands.rosbash",
+        function="run_roscd",
+        not_in_notebook="a notebook stays in its folder; %rosls PACKAGE shows another one",
+    ),
+    Entry(
+        name="rosls",
+        summary="list the files of a package",
+        group=_LOOK_UP,
+        module="simkit.commands.rosbash",
+        function="run_rosls",
+    ),
+    Entry(
+        name="rosed",
+        summary="edit a file of a package",
+        group=_LOOK_UP,
+        module="simkit.commands.rosbash",
+        function="run_rosed",
+        not_in_notebook="it opens an editor in the terminal",
+    ),
+    Entry(
+        name="rosversion",
+        summary="show the version of a package, or of ROS",
+        group=_LOOK_UP,
+        module="simkit.commands.rospack",
+        function="run_rosversion",
+    ),
+    Entry(
         name="doctor",
         summary="what works on this machine, and what is lost without the rest",
-        group=_HERE,
+        group=THIS_INSTALLATION,
         module="simkit.commands.doctor",
         not_in_notebook="it asks about the machine, and takes some seconds: a terminal is the place for it",
+    ),
+    Entry(
+        name="env",
+        summary="put the words of ROS on the PATH of this terminal",
+        group=THIS_INSTALLATION,
+        module="simkit.commands.env",
+        not_in_notebook="a notebook has them as lines: %rosrun",
+    ),
+    Entry(
+        name="shell",
+        summary="open a shell with the words of ROS on its PATH",
+        group=THIS_INSTALLATION,
+        module="simkit.commands.env",
+        function="run_shell",
+        not_in_notebook="a notebook has them as lines: %rosrun",
+    ),
+    Entry(
+        name="complete",
+        summary="what Tab offers",
+        group=THIS_INSTALLATION,
+        module="simkit.commands.completion",
+        not_in_notebook="a notebook completes by itself",
     ),
 )
 COMMANDS: Mapping[str, Entry] = {entry.name: entry for entry in _ENTRIES}

@@ -9,7 +9,7 @@ import argparse
 
 from simkit.commands.command import Answer, ErrorText, parsed
 from simkit.commands.errors import ToolError
-from simkit.packages import PATH_VARIABLE, PackagePath
+from simkit.packages import PATH_VARIABLES, PackagePath
 from simkit.xacro import XacroError, run_xacro
 
 
@@ -18,7 +18,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.usage = "simkit xacro [OPTIONS] FILE [NAME:=VALUE]"
     parser.epilog = (
         "Prints the URDF. NAME:=VALUE sets an argument of the file, <xacro:arg>. $(find PACKAGE) finds the "
-        f"packages below this folder and in {PATH_VARIABLE}."
+        f"packages below this folder and in {' and '.join(PATH_VARIABLES)}."
     )
     parser.add_argument("-o", metavar="FILE", help="write the URDF into a file instead")
     parser.add_argument("--deps", action="store_true", help="print which files are included")

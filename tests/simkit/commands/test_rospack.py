@@ -34,3 +34,18 @@ def test_what_is_not_found_is_explained(simkit, name, text):
     assert (code, out) == (1, "")
     assert text in err
     assert err.count("\n") == 1
+
+
+def test_rosversion_reads_the_package(simkit, package):
+    manifest = package.folder / "play" / "package.xml"
+    assert simkit("rosversion", "play") == (0, "<unversioned>\n", "")
+    manifest.write_text("<package><name>play</name><version>1.2.3</version></package>")
+    assert simkit("rosversion", "play") == (0, "1.2.3\n", "")
+    assert simkit("rosversion", "-d") == (0, "noetic\n", "")
+    assert "which package?" in simkit("rosversion")[2]
+
+
+def test_packages_of_ros_package_path_are_found_after_those_of_simkit(simkit, package, monkeypatch):
+    monkeypatch.chdir("/")
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(package.folder))
+    assert simkit("rospack", "find", "play") == (0, f"{package.folder / 'play'}\n", "")
