@@ -132,7 +132,7 @@ LIBRARIES = {
         "simkit.msgs.strify simkit.launch simkit.urdf.rules simkit.viz.stage.rviz_config",
     ),
     "matplotlib": ("simkit.viz", ""),
-    "PIL": ("simkit.viz.draw.pixels", ""),
+    "PIL": ("", "simkit.viz.draw.files"),
     "dartpy": ("", "simkit.physics"),
     "meshcat": ("", "simkit.viz.page.meshcat_window"),
     "umsgpack": ("", "simkit.viz.page.meshcat_window"),

@@ -3,8 +3,8 @@
 Every picture is made once and does not change afterwards, but for those that are called live; it
 shows itself in a notebook and is saved by `save("name.svg")`, or `.png`, or `.html`. In 2D, `draw` has what both
 SVG and PNG are made of; `trees`, `plots` and `turtlesim` are drawn with it. In 3D, `stage` has the scene, `page`
-shows it in a browser and `still` without one; `view`, `live` and `replay` hand it to people. `widgets` move
-robots by hand.
+shows it in a browser and `still` without one; `view` and `live` hand it to people. A scene over time is a `tape`,
+which a `replay` plays. `widgets` move robots by hand.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from simkit.viz.plots.model_recording import ModelRecording
     from simkit.viz.plots.paths import PathPlot
     from simkit.viz.plots.transforms import TransformPlot, TransformSeries, transform_series
-    from simkit.viz.replay import RvizReplay, WorldReplay
+    from simkit.viz.rviz_tape import RvizReplay
     from simkit.viz.stage.rviz_settings import RvizSettings, display_of, displays_of, robot_displays
     from simkit.viz.stage.rviz_source import SceneSource
     from simkit.viz.stage.topic_listener import TopicListeners
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from simkit.viz.widgets.teleop_pad import TeleopPad
     from simkit.viz.widgets.trajectory_sliders import TrajectorySliders, controlled_joints
     from simkit.viz.world_recording import WorldTape
+    from simkit.viz.world_tape import WorldReplay
 
 __all__ = [
     "FramesPicture",
@@ -80,7 +81,7 @@ _HOMES = {
     "PathPlot": "plots.paths",
     "RobotTree": "trees.robot",
     "TopicListeners": "stage.topic_listener",
-    "RvizReplay": "replay",
+    "RvizReplay": "rviz_tape",
     "RvizSettings": "stage.rviz_settings",
     "RvizView": "view",
     "SceneSource": "stage.rviz_source",
@@ -91,7 +92,7 @@ _HOMES = {
     "TransformSeries": "plots.transforms",
     "TurtleReplay": "turtlesim.replay",
     "TurtlesimView": "turtlesim.view",
-    "WorldReplay": "replay",
+    "WorldReplay": "world_tape",
     "WorldSettings": "stage.world_scene",
     "WorldSource": "stage.world_source",
     "WorldTape": "world_recording",

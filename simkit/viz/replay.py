@@ -1,61 +1,50 @@
-"""A tape as one HTML file: press play and watch the frames, the robot or the models move again."""
+"""A replay: a tape as one page, with a button to play, a slider over virtual time and a choice of speeds."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from simkit.viz.page.html import inline_frame
-from simkit.viz.page.scene_data import scene_data
-from simkit.viz.page.view_page import TITLE, page_height, view_page
-from simkit.viz.plots.recorded import RecordedTopics
-from simkit.viz.rviz_tape import RvizTape, rviz_tape
-from simkit.viz.saving import save_as
-from simkit.viz.stage.robot import RobotShapes
-from simkit.viz.stage.rviz_settings import RvizSettings
-from simkit.viz.stage.world_scene import WorldSettings
-from simkit.viz.tape import track_data
-from simkit.viz.tape_controls import tape_controls
-from simkit.viz.world_recording import WorldTape
-from simkit.viz.world_tape import WorldPlay, world_play
+from simkit.viz.draw.files import save_as
+from simkit.viz.draw.thinning import Row
+from simkit.viz.page.html import inline_frame, png_image
 
-_CONTROLS_HEIGHT: Final = 45
+_SPEEDS: Final = ("0.25", "0.5", "1", "2", "4", "8")
 
 
-class RvizReplay:
-    """What RViz showed from the first to the last message; it does not change afterwards.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Track:
+    """The values of one thing over time."""
 
-    It has a button to play, a slider over virtual time and a choice of speeds, and needs neither
-    a server nor a network: it also works in a file and in a saved notebook.
+    rows: tuple[Row, ...]
+    """Time [s] and the values; straight in between, and two rows of one time are a jump."""
+    until: float | None = None
+    """When the thing was gone [s]; None if it was there to the end."""
 
-    Args:
-        recording: Of /tf, of /tf_static if there are static transforms, and of the topics that are shown.
-        settings: What is to be seen; the usual if None.
-        robot: The robot; None if there is none.
 
-    Attributes:
-        tape: What is shown, as numbers.
+class Replay:
+    """What was seen from a beginning to an end; it does not change afterwards.
+
+    It needs neither a server nor a network: it also works in a file and in a saved notebook. Where frames are
+    left out, and where scripts do not run, its end is seen.
     """
 
-    def __init__(
-        self,
-        recording: RecordedTopics,
-        settings: RvizSettings | None = None,
-        *,
-        robot: RobotShapes | None = None,
-    ) -> None:
-        self.tape: RvizTape = rviz_tape(recording, settings or RvizSettings(), robot)
+    TITLE: str
+    """What is played, for screen readers."""
 
     def to_html(self) -> str:
         """The replay as one HTML file; equal recordings give equal text."""
-        data = {**scene_data(self.tape.scene), "tape": _data(self.tape)}
-        return view_page(
-            self.tape.scene,
-            data=data,
-            controls=tape_controls(self.tape.duration),
-            scripts=["tape", "rviz_replay"],
-        )
+        raise NotImplementedError
+
+    def end_png(self) -> bytes:
+        """The end as a PNG file."""
+        raise NotImplementedError
+
+    def height(self) -> int:
+        """Room that the page needs inside another [px]; what is more is scrolled."""
+        raise NotImplementedError
 
     def save(self, path: str | Path) -> None:
         """Write the replay to an `.html` file.
@@ -65,93 +54,44 @@ class RvizReplay:
         """
         save_as(path, {".html": self.to_html}, kind="replay format")
 
-    def __repr__(self) -> str:
-        return f"RvizReplay({self.tape.duration:.2f} s, {len(self.tape.tracks)} frames)"
-
     def _repr_html_(self) -> str:
-        height = page_height(self.tape.scene) + _CONTROLS_HEIGHT
-        return inline_frame(self.to_html(), title=TITLE, height=height)
+        from simkit.viz.draw.files import few_colored_png
+
+        still = png_image(few_colored_png(self.end_png()), f"{self.TITLE}: the end")
+        return inline_frame(self.to_html(), title=self.TITLE, height=self.height(), still=still)
+
+    def _repr_png_(self) -> bytes:
+        return self.end_png()
 
 
-def _data(tape: RvizTape) -> dict[str, object]:
-    return {
-        "duration": tape.duration,
-        "topics": [track_data(track) for track in tape.topics],
-        "tracks": [
-            [[round(row[0], 3), *(round(value, 5) for value in row[1:])] for row in track]
-            for track in tape.tracks
-        ],
-    }
-
-
-_CONTROLS_HEIGHT2: Final = 45
-
-
-class WorldReplay:
-    """What the window of Gazebo showed during a recording; it does not change afterwards.
-
-    It has a button to play, a slider over virtual time and a choice of speeds, and needs neither
-    a server nor a network: it also works in a file and in a saved notebook.
+def track_data(track: Track, *, digits: int) -> Mapping[str, Any]:
+    """A track for the script of a replay.
 
     Args:
-        tape: The recording.
-        settings: What is seen at first; the usual if None.
-        trails: Links that leave a trail: `model::link`, or `model` for its root link.
-        odometry: A recording of nav_msgs/Odometry; each of its topics leaves a trail as well.
-
-    Attributes:
-        play: What is shown, as numbers.
-
-    Raises:
-        UnknownNameError: There was no such link, or no model to look at, of that name.
+        track: The track.
+        digits: Decimals of its values.
     """
-
-    def __init__(
-        self,
-        tape: WorldTape,
-        settings: WorldSettings | None = None,
-        *,
-        trails: Sequence[str] = (),
-        odometry: RecordedTopics | None = None,
-    ) -> None:
-        tape.look()
-        self.play: WorldPlay = world_play(
-            tape, settings or WorldSettings(), trails=trails, odometry=odometry
-        )
-
-    def to_html(self) -> str:
-        """The replay as one HTML file; equal recordings give equal text."""
-        return view_page(
-            self.play.scene,
-            data={**scene_data(self.play.scene), "tape": _world_data(self.play)},
-            controls=tape_controls(self.play.duration),
-            scripts=["tape", "rviz_replay"],
-        )
-
-    def save(self, path: str | Path) -> None:
-        """Write the replay to an `.html` file.
-
-        Raises:
-            UnknownNameError: The suffix is another one.
-        """
-        save_as(path, {".html": self.to_html}, kind="replay format")
-
-    def __repr__(self) -> str:
-        return f"WorldReplay({self.play.duration:.2f} s, {len(self.play.tracks)} links)"
-
-    def _repr_html_(self) -> str:
-        scene = self.play.scene
-        height = page_height(scene) + _CONTROLS_HEIGHT2
-        return inline_frame(self.to_html(), title=scene.window.title, height=height)
+    rows = [[round(row[0], 3), *(round(value, digits) for value in row[1:])] for row in track.rows]
+    return {"until": track.until, "rows": rows}
 
 
-def _world_data(play: WorldPlay) -> dict[str, Any]:
-    return {
-        "duration": play.duration,
-        "topics": [track_data(track) for track in play.displays],
-        "until": play.until,
-        "tracks": [
-            [[round(row[0], 3), *(round(value, 5) for value in row[1:])] for row in track]
-            for track in play.tracks
-        ],
-    }
+def tape_controls(duration: float) -> list[str]:
+    """Lines of HTML: a button to play, a slider over virtual time, the time, the speed; at first it is at the end.
+
+    Args:
+        duration: From the beginning to the end [s].
+    """
+    end = f"{duration:.3f}"
+    options = "".join(
+        f'<option value="{speed}"{" selected" if speed == "1" else ""}>{speed} ×</option>'
+        for speed in _SPEEDS
+    )
+    return [
+        '<div class="row">',
+        '<button id="play">Play</button>',
+        f'<input id="time" type="range" min="0" max="{end}" step="any" value="{end}" '
+        'aria-label="Virtual time">',
+        f'<output id="clock" for="time">{duration:.2f} s</output>',
+        f'<label>Speed <select id="speed">{options}</select></label>',
+        "</div>",
+    ]

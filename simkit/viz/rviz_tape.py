@@ -1,53 +1,66 @@
-"""What a view showed from the first to the last message of a recording: where each frame was, over time."""
+"""What RViz showed from the first to the last message of a recording: where each frame was, and what topics said."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Final
 
 from simkit.geometry import Vector
 from simkit.tf import Buffer
-from simkit.viz.draw.thinning import Row, thinned
+from simkit.viz.draw.thinning import Row
 from simkit.viz.plots.recorded import RecordedTopics
 from simkit.viz.stage.camera import AXIS_SHARE, AXIS_SHARE_OF_ROBOT, stage_for
 from simkit.viz.stage.frames import FramePose, tf_scene
 from simkit.viz.stage.robot import RobotShapes
-from simkit.viz.stage.rviz_settings import RvizSettings
+from simkit.viz.stage.rviz_settings import OdometryDisplay, RvizSettings, TopicDisplay
 from simkit.viz.stage.scene import Scene, corners, make_scene
-from simkit.viz.tape import TopicTape, TopicTrack
+from simkit.viz.stage.topic_listener import DisplayListener
+from simkit.viz.stage.topic_marks import NOTHING, Shown, display_marks
+from simkit.viz.tape import (
+    MarksTrack,
+    SceneReplay,
+    SceneTape,
+    pose_row,
+    pose_track,
+    sampled,
+    swept_corners,
+)
 
+MOST_POINTS: Final = 200_000
+"""A replay holds no more points of one display; of a longer recording it shows fewer moments."""
 STEP_NS: Final = 33_000_000
 """The view is looked at no oftener than this [ns]."""
 _TF: Final = ("/tf_static", "/tf")
 _PAUSE_NS = 4 * STEP_NS
 "After a silence of this length a frame has jumped, and did not move slowly."
-_MOMENTS = 50
-"So many times of a frame are asked how much room it needs."
-_SHARE, _TURN = 0.0005, 0.0015
-"Nobody sees a frame that is off by this share of the distance, or a quaternion that is off by so much."
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class RvizTape:
-    """Everything that a replay shows; times count from the first message."""
+class RvizReplay(SceneReplay):
+    """What RViz showed from the first to the last message.
 
-    start_ns: int
-    """Virtual time of the first message [ns]."""
-    duration: float
-    """From the first to the last message [s]."""
-    scene: Scene
-    """The end, with a grid and a camera for the whole."""
-    tracks: tuple[tuple[Row, ...], ...]
-    """For each frame of the scene: time [s], x, y, z [m], quaternion xyzw; straight in between."""
-    topics: tuple[TopicTrack, ...] = ()
-    """For each display of a topic, what it showed."""
+    Args:
+        recording: Of /tf, of /tf_static if there are static transforms, and of the topics that are shown.
+        settings: What is to be seen; the usual if None.
+        robot: The robot; None if there is none.
+    """
+
+    def __init__(
+        self,
+        recording: RecordedTopics,
+        settings: RvizSettings | None = None,
+        *,
+        robot: RobotShapes | None = None,
+    ) -> None:
+        super().__init__(rviz_tape(recording, settings or RvizSettings(), robot))
+
+    def __repr__(self) -> str:
+        return f"RvizReplay({self.tape.duration:.2f} s, {len(self.tape.tracks)} frames)"
 
 
 def rviz_tape(
     recording: RecordedTopics, settings: RvizSettings, robot: RobotShapes | None
-) -> RvizTape:
+) -> SceneTape:
     """What RViz would have shown.
 
     Args:
@@ -75,13 +88,12 @@ def rviz_tape(
         troubles=topics.troubles(),
     )
     scene = _with_room(scene, seen, tracks)
-    tolerances = (*[_SHARE * scene.stage.camera.distance] * 3, *[_TURN] * 4)
-    return RvizTape(
+    return SceneTape(
         start_ns=start_ns,
         duration=(end_ns - start_ns) / 1e9,
         scene=scene,
-        tracks=tuple(tuple(thinned(seen[pose.name], tolerances)) for pose in scene.tf.poses),
-        topics=tracks,
+        tracks=tuple(pose_track(scene, seen[pose.name]) for pose in scene.tf.poses),
+        marks=tracks,
     )
 
 
@@ -118,29 +130,27 @@ def _add(rows: list[Row], time: float, pose: FramePose) -> None:
     """One more row; before it another one if the frame stood still in silence."""
     if rows and time - rows[-1][0] > _PAUSE_NS / 1e9:
         rows.append((time - STEP_NS / 1e9, *rows[-1][1:]))
-    rotation = pose.rotation
-    if rows and math.fsum(a * b for a, b in zip(rows[-1][4:], rotation, strict=True)) < 0.0:
-        x, y, z, w = rotation
-        rotation = (-x, -y, -z, -w)  # the same turn, without a jump of the numbers
-    rows.append((time, *pose.origin, *rotation))
+    rows.append(pose_row(rows, time, pose.origin, pose.rotation))
 
 
 def _with_room(
-    scene: Scene, seen: Mapping[str, Sequence[Row]], tracks: Sequence[TopicTrack]
+    scene: Scene, seen: Mapping[str, Sequence[Row]], tracks: Sequence[MarksTrack]
 ) -> Scene:
     """The scene with a stage for everything that ever was in it."""
-    moments = {pose.name: list(_moments(pose, seen[pose.name])) for pose in scene.tf.poses}
+    moments = {pose.name: list(sampled(pose, seen[pose.name])) for pose in scene.tf.poses}
     points = [moment.origin for poses in moments.values() for moment in poses]
     for placed in scene.solids:
-        for moment in moments[placed.frame.name] if placed.frame is not None else (None,):
-            points += corners(placed.solid, moment)
+        if placed.frame is None:
+            points += corners(placed.solid, None)
+        else:
+            points += swept_corners(placed.solid, moments[placed.frame.name])
     for track in tracks:
         points += _outline(track)
     share = AXIS_SHARE_OF_ROBOT if scene.solids else AXIS_SHARE
     return replace(scene, stage=stage_for(scene.tf, points, axis_share=share))
 
 
-def _outline(track: TopicTrack) -> Iterator[Vector]:
+def _outline(track: MarksTrack) -> Iterator[Vector]:
     """The corners of the box around everything that a display ever showed."""
     shown = (one for _, one in track.moments)
     points = [point for one in shown for line in (one.points, *one.lines) for point in line]
@@ -149,7 +159,72 @@ def _outline(track: TopicTrack) -> Iterator[Vector]:
         yield x, y, z
 
 
-def _moments(pose: FramePose, rows: Sequence[Row]) -> Iterator[FramePose]:
-    """A frame at some of its times."""
-    for _, x, y, z, *turn in rows[:: max(1, len(rows) // _MOMENTS)]:
-        yield replace(pose, origin=(x, y, z), rotation=(turn[0], turn[1], turn[2], turn[3]))
+class TopicTape:
+    """Follows some displays through a recording.
+
+    Args:
+        displays: What is shown.
+        buffer: The transforms, which grow meanwhile.
+        fixed_frame: The frame that everything is drawn in.
+    """
+
+    def __init__(
+        self, displays: Sequence[TopicDisplay], *, buffer: Buffer, fixed_frame: str
+    ) -> None:
+        self._displays = displays
+        self._listeners = [
+            DisplayListener(one, buffer=buffer, fixed_frame=fixed_frame) for one in displays
+        ]
+        self._moments: list[list[tuple[float, Shown]]] = [[] for _ in displays]
+        self._last = [NOTHING] * len(displays)
+
+    @property
+    def topics(self) -> list[str]:
+        """The topics that it wants to hear, sorted."""
+        return sorted({display.topic for display in self._displays})
+
+    def hear(self, topic: str, message: Any) -> None:
+        """Take a message."""
+        for display, listener in zip(self._displays, self._listeners, strict=True):
+            if display.topic == topic:
+                listener.hear(message)
+
+    def look(self, time: float) -> None:
+        """Keep what is to be seen at a time [s]."""
+        for number, listener in enumerate(self._listeners):
+            shown, last = listener.look(), self._last[number]
+            if shown is not last:
+                self._moments[number].append((time, _change(shown, last)))
+                self._last[number] = shown
+
+    def troubles(self) -> tuple[str, ...]:
+        """What could not be shown at the end."""
+        return tuple(trouble for listener in self._listeners if (trouble := listener.trouble()))
+
+    def tracks(self) -> tuple[MarksTrack, ...]:
+        """What was kept."""
+        return tuple(
+            MarksTrack(
+                marks=display_marks(display, number, self._last[number]),
+                moments=tuple(_fewer(self._moments[number])),
+                keep=display.keep if isinstance(display, OdometryDisplay) else 0,
+            )
+            for number, display in enumerate(self._displays)
+        )
+
+
+def _change(shown: Shown, last: Shown) -> Shown:
+    """Of a trail the lines that are new, of anything else all of it."""
+    if not shown.count:
+        return shown
+    return Shown(lines=shown.lines[-(shown.count - last.count) :], count=shown.count)
+
+
+def _fewer(moments: Sequence[tuple[float, Shown]]) -> Iterable[tuple[float, Shown]]:
+    """Every second moment, or every third and so on, if there are too many points; and the last."""
+    total = sum(len(shown.points) + sum(map(len, shown.lines)) for _, shown in moments)
+    step = 1 + total // MOST_POINTS
+    is_trail = any(shown.count for _, shown in moments)
+    if step == 1 or is_trail:
+        return moments
+    return [*moments[:-1:step], moments[-1]]

@@ -1,123 +1,144 @@
-"""A scene over time: where each frame was and what each display showed, of any source."""
+"""A scene over time, of any source: where each frame was, what each display showed; and its replay."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
-from simkit.tf import Buffer
+from simkit.geometry import Quaternion, Vector
+from simkit.viz.draw.thinning import Row, thinned
+from simkit.viz.page.scene_data import scene_data
+from simkit.viz.page.view_page import page_height, view_page
+from simkit.viz.replay import Replay, Track, tape_controls, track_data
+from simkit.viz.stage.frames import FramePose
 from simkit.viz.stage.marks import Marks, moment_data
-from simkit.viz.stage.rviz_settings import OdometryDisplay, TopicDisplay
-from simkit.viz.stage.topic_listener import DisplayListener
-from simkit.viz.stage.topic_marks import NOTHING, Shown, display_marks
+from simkit.viz.stage.scene import Scene, corners
+from simkit.viz.stage.solid import Solid
+from simkit.viz.stage.topic_marks import Shown
 
-MOST_POINTS: Final = 200_000
-"""A replay holds no more points of one display; of a longer recording it shows fewer moments."""
+_SHARE, _TURN = 0.0005, 0.0015
+"Nobody sees a frame that is off by this share of the distance, or a quaternion that is off by so much."
+_SAMPLES: Final = 50
+"At so many of its times one asks how much room something needs."
+_CONTROLS_HEIGHT: Final = 45
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class TopicTrack:
-    """What one display showed over time."""
+class MarksTrack:
+    """What one display of points and lines showed over time."""
 
     marks: Marks
     """What it showed at the end."""
     moments: tuple[tuple[float, Shown], ...]
     """What it showed from a time [s] on; of a trail, the lines that came at that time."""
-    keep: int
-    """So many lines of a trail are seen, the newest; 0 if it is none."""
+    keep: int = 0
+    """So many lines of a trail are seen, the newest; 0 for what is not a trail."""
 
 
-class TopicTape:
-    """Follows some displays through a recording.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SceneTape:
+    """A scene over time; times count from the beginning."""
+
+    start_ns: int
+    """Virtual time of the beginning [ns]."""
+    duration: float
+    """From the beginning to the end [s]."""
+    scene: Scene
+    """The end, with a grid and a camera for the whole."""
+    tracks: tuple[Track, ...]
+    """For each frame of the scene x, y, z [m] and its quaternion xyzw."""
+    marks: tuple[MarksTrack, ...]
+    """For each display of points and lines, what it showed."""
+
+
+def pose_track(scene: Scene, rows: Sequence[Row], *, until: float | None = None) -> Track:
+    """The track of a frame, without rows that nobody would miss.
 
     Args:
-        displays: What is shown.
-        buffer: The transforms, which grow meanwhile.
-        fixed_frame: The frame that everything is drawn in.
+        scene: Where it is seen.
+        rows: Time [s], x, y, z [m], quaternion xyzw.
+        until: When the frame was gone [s]; None if it was there to the end.
+    """
+    tolerances = (*[_SHARE * scene.stage.camera.distance] * 3, *[_TURN] * 4)
+    return Track(rows=tuple(thinned(rows, tolerances)), until=until)
+
+
+def pose_row(rows: Sequence[Row], time: float, origin: Vector, rotation: Quaternion) -> Row:
+    """The row that follows others; of the two quaternions of a rotation, the one that is nearer to the last."""
+    if rows and math.fsum(a * b for a, b in zip(rows[-1][4:], rotation, strict=True)) < 0.0:
+        x, y, z, w = rotation
+        rotation = (-x, -y, -z, -w)
+    return (time, *origin, *rotation)
+
+
+def posed(pose: FramePose, row: Row) -> FramePose:
+    """A frame as a row has it."""
+    _, x, y, z, a, b, c, d = row
+    return replace(pose, origin=(x, y, z), rotation=(a, b, c, d))
+
+
+def sampled(pose: FramePose, rows: Sequence[Row]) -> Iterator[FramePose]:
+    """A frame at some of its times."""
+    for row in rows[:: max(1, len(rows) // _SAMPLES)]:
+        yield posed(pose, row)
+
+
+def swept_corners(solid: Solid, poses: Iterable[FramePose]) -> Iterator[Vector]:
+    """The corners of the box around a shape, wherever its frame was [m]."""
+    for pose in poses:
+        yield from corners(solid, pose)
+
+
+def marks_track_data(track: MarksTrack) -> Mapping[str, Any]:
+    """A display for the script of a replay."""
+    moments = [
+        {
+            "time": round(time, 3),
+            **moment_data(
+                replace(track.marks, points=one.points, colors=one.colors, lines=one.lines)
+            ),
+        }
+        for time, one in track.moments
+    ]
+    return {"keep": track.keep, "moments": moments}
+
+
+class SceneReplay(Replay):
+    """A tape of a scene as a page: press play, and its frames, robots or models move again.
+
+    Args:
+        tape: What it shows.
+
+    Attributes:
+        tape: What it shows, as numbers.
     """
 
-    def __init__(
-        self, displays: Sequence[TopicDisplay], *, buffer: Buffer, fixed_frame: str
-    ) -> None:
-        self._displays = displays
-        self._listeners = [
-            DisplayListener(one, buffer=buffer, fixed_frame=fixed_frame) for one in displays
-        ]
-        self._moments: list[list[tuple[float, Shown]]] = [[] for _ in displays]
-        self._last = [NOTHING] * len(displays)
+    def __init__(self, tape: SceneTape) -> None:
+        self.tape = tape
+        self.TITLE = tape.scene.window.title
 
-    @property
-    def topics(self) -> list[str]:
-        """The topics that it wants to hear, sorted."""
-        return sorted({display.topic for display in self._displays})
-
-    def hear(self, topic: str, message: Any) -> None:
-        """Take a message."""
-        for display, listener in zip(self._displays, self._listeners, strict=True):
-            if display.topic == topic:
-                listener.hear(message)
-
-    def look(self, time: float) -> None:
-        """Keep what is to be seen at a time [s]."""
-        for number, listener in enumerate(self._listeners):
-            shown, last = listener.look(), self._last[number]
-            if shown is not last:
-                self._moments[number].append((time, _news(shown, last)))
-                self._last[number] = shown
-
-    def troubles(self) -> tuple[str, ...]:
-        """What could not be shown at the end."""
-        return tuple(trouble for listener in self._listeners if (trouble := listener.trouble()))
-
-    def tracks(self) -> tuple[TopicTrack, ...]:
-        """What was kept."""
-        return tuple(
-            TopicTrack(
-                marks=display_marks(display, number, self._last[number]),
-                moments=tuple(_thinned(self._moments[number])),
-                keep=display.keep if isinstance(display, OdometryDisplay) else 0,
-            )
-            for number, display in enumerate(self._displays)
+    def to_html(self) -> str:
+        """The replay as one HTML file; equal recordings give equal text."""
+        data = {
+            "duration": self.tape.duration,
+            "marks": [marks_track_data(track) for track in self.tape.marks],
+            "tracks": [track_data(track, digits=5) for track in self.tape.tracks],
+        }
+        return view_page(
+            self.tape.scene,
+            data={**scene_data(self.tape.scene), "tape": data},
+            controls=tape_controls(self.tape.duration),
+            scripts=["tape", "rviz_replay"],
         )
 
+    def end_png(self) -> bytes:
+        """The end as a PNG file, without a browser."""
+        from simkit.viz.still.picture import still_png
 
-def track_data(track: TopicTrack) -> dict[str, Any]:
-    """A track for the script of a replay."""
-    return {
-        "keep": track.keep,
-        "moments": [
-            {"time": round(time, 3), **moment_data(_marks(track, shown))}
-            for time, shown in track.moments
-        ],
-    }
+        return still_png(self.tape.scene, scale=1)
 
-
-def _marks(track: TopicTrack, shown: Shown) -> Marks:
-    marks = track.marks
-    return Marks(
-        name=marks.name,
-        label=marks.label,
-        color=marks.color,
-        points=shown.points,
-        colors=shown.colors,
-        lines=shown.lines,
-        is_many_colored=marks.is_many_colored,
-    )
-
-
-def _news(shown: Shown, last: Shown) -> Shown:
-    """Of a trail the lines that are new, of anything else all of it."""
-    if not shown.count:
-        return shown
-    return Shown(lines=shown.lines[-(shown.count - last.count) :], count=shown.count)
-
-
-def _thinned(moments: Sequence[tuple[float, Shown]]) -> Iterable[tuple[float, Shown]]:
-    """Every second moment, or every third and so on, if there are too many points; and the last."""
-    total = sum(len(shown.points) + sum(map(len, shown.lines)) for _, shown in moments)
-    step = 1 + total // MOST_POINTS
-    is_trail = any(shown.count for _, shown in moments)
-    if step == 1 or is_trail:
-        return moments
-    return [*moments[:-1:step], moments[-1]]
+    def height(self) -> int:
+        """Room that the page needs inside another [px]."""
+        return page_height(self.tape.scene) + _CONTROLS_HEIGHT

@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from simkit.viz.draw.files import save_as
 from simkit.viz.page.html import inline_frame
 from simkit.viz.page.meshcat_window import MeshcatWindow, visualizer
 from simkit.viz.page.scene_data import scene_data, summary
 from simkit.viz.page.view_page import page_height, view_page
-from simkit.viz.saving import save_as
 from simkit.viz.stage.scene import Scene
 from simkit.viz.still.picture import still_image
 
@@ -66,7 +66,7 @@ class RvizView:
 
     def thumbnail(self) -> bytes:
         """A small still picture as a PNG file, without any words, on a ground that is seen through."""
-        from simkit.viz.draw.pixels import png_of_pixels
+        from simkit.viz.draw.files import png_of_pixels
         from simkit.viz.still.scene_raster import scene_pixels
 
         return png_of_pixels(scene_pixels(self.scene, size=SMALL_SIZE))

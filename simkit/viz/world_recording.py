@@ -14,6 +14,7 @@ from simkit.viz.draw.thinning import Row
 from simkit.viz.stage.world_models import WorldOfThings, link_frame
 from simkit.viz.stage.world_scene import Actor, link_poses, make_actor
 from simkit.viz.stage.world_source import scan_points, things_in
+from simkit.viz.tape import pose_row
 
 FASTEST: Final = 1000.0
 """A world is looked at no oftener than it makes steps of 1 ms [Hz]."""
@@ -23,7 +24,7 @@ _SCAN_PAUSE_NS: Final = 100 * _MS
 
 
 @dataclass(slots=True, kw_only=True)
-class Track:
+class ModelTrack:
     """What a model did while it was there."""
 
     actor: Actor
@@ -59,7 +60,7 @@ class WorldTape:
         self._executor = node.graph.executor
         self.gravity: Vector = things.world.gravity
         self.start_ns = self._executor.now_ns
-        self._tracks: list[Track] = []
+        self._tracks: list[ModelTrack] = []
         self._contacts: list[tuple[float, tuple[Contact, ...]]] = []
         self._scans: list[tuple[float, tuple[Vector, ...]]] = []
         self._looked_ns = -1
@@ -83,7 +84,7 @@ class WorldTape:
         return (self._looked_ns - self.start_ns) / 1e9
 
     @property
-    def tracks(self) -> tuple[Track, ...]:
+    def tracks(self) -> tuple[ModelTrack, ...]:
         """What each model did that ever was there, the oldest first."""
         return tuple(self._tracks)
 
@@ -139,7 +140,7 @@ class WorldTape:
         names = ", ".join(one.actor.name for one in self._tracks if not one.actor.is_ground)
         return f"WorldTape({self.duration:.2f} s of {names or 'an empty world'})"
 
-    def _track(self, model: str) -> Track:
+    def _track(self, model: str) -> ModelTrack:
         found = [one for one in self._tracks if one.actor.model.name == model]
         if not found:
             raise UnknownNameError("recorded model", model, [t.actor.name for t in self._tracks])
@@ -173,7 +174,7 @@ class WorldTape:
         for thing in things_in(self._things):
             if id(thing.model) not in here:
                 name = self._free_name(thing.model)
-                self._tracks.append(Track(actor=make_actor(thing, name=name)))
+                self._tracks.append(ModelTrack(actor=make_actor(thing, name=name)))
 
     def _free_name(self, model: Model) -> str:
         """The name of a model; with a number behind it if there was another one of that name before."""
@@ -181,16 +182,13 @@ class WorldTape:
         return model.name if number == 1 else f"{model.name} ({number})"
 
 
-def _keep(track: Track, time: float) -> None:
+def _keep(track: ModelTrack, time: float) -> None:
     actor = track.actor
     if actor.is_ground:
         return
     for pose in link_poses(actor.model, name=actor.name):
-        rows, rotation = track.links.setdefault(pose.name, []), pose.rotation
-        if rows and sum(a * b for a, b in zip(rows[-1][4:], rotation, strict=True)) < 0.0:
-            x, y, z, w = rotation
-            rotation = (-x, -y, -z, -w)  # the same turn, without a jump of the numbers
-        rows.append((time, *pose.origin, *rotation))
+        rows = track.links.setdefault(pose.name, [])
+        rows.append(pose_row(rows, time, pose.origin, pose.rotation))
     for joint in actor.model.joints.values():
         row = (time, joint.position, joint.velocity)
         track.joints.setdefault(joint.name, []).append(row)

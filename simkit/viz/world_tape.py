@@ -4,22 +4,30 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import count, pairwise
 from typing import Any, Final
 
 from simkit.errors import UnknownNameError
 from simkit.geometry import Transform, Vector
-from simkit.viz.draw.thinning import Row, thinned
+from simkit.viz.draw.thinning import Row
 from simkit.viz.plots.recorded import RecordedTopics
 from simkit.viz.stage.frames import FramePose
 from simkit.viz.stage.marks import Marks
-from simkit.viz.stage.scene import Scene
+from simkit.viz.stage.solid import Role
 from simkit.viz.stage.topic_marks import Shown
-from simkit.viz.stage.world_scene import WorldSettings, link_poses, outline, world_scene
+from simkit.viz.stage.world_scene import WorldSettings, link_poses, world_scene
 from simkit.viz.stage.world_source import ForceScale, contact_marks, headline, laser_marks
-from simkit.viz.tape import TopicTrack
-from simkit.viz.world_recording import Track, WorldTape
+from simkit.viz.tape import (
+    MarksTrack,
+    SceneReplay,
+    SceneTape,
+    pose_track,
+    posed,
+    sampled,
+    swept_corners,
+)
+from simkit.viz.world_recording import ModelTrack, WorldTape
 
 ODOMETRY: Final = "nav_msgs/Odometry"
 """Type of the messages that say where a robot thinks it is."""
@@ -66,7 +74,7 @@ def link_ways(tape: WorldTape, names: Iterable[str]) -> Iterator[Way]:
 
 
 def odometry_ways(tape: WorldTape, recording: RecordedTopics) -> Iterator[Way]:
-    """The ways that odometry tells of.
+    """The ways that odometry reports.
 
     Odometry begins wherever it likes; here it begins where the link was that it is of, so that one
     sees how it drifts.
@@ -92,7 +100,7 @@ def odometry_ways(tape: WorldTape, recording: RecordedTopics) -> Iterator[Way]:
             )
 
 
-def trail_track(number: int, way: Way) -> TopicTrack:
+def trail_track(number: int, way: Way) -> MarksTrack:
     """A way as a display that grows.
 
     Args:
@@ -100,7 +108,7 @@ def trail_track(number: int, way: Way) -> TopicTrack:
         way: The way.
     """
     places = tuple(place for _, place in way.places)
-    return TopicTrack(
+    return MarksTrack(
         marks=Marks(
             name=f"trail-{number}",
             label=way.label,
@@ -116,7 +124,7 @@ def trail_track(number: int, way: Way) -> TopicTrack:
 
 
 def _row(time: float, message: Any) -> Row | None:
-    """Time, x, y, z, quaternion of an odometry; None if there are numbers in it that are none."""
+    """Time, x, y, z, quaternion of an odometry; None if one of its numbers is invalid."""
     p, q = message.pose.pose.position, message.pose.pose.orientation
     length = math.hypot(q.x, q.y, q.z, q.w)
     if not max(abs(p.x), abs(p.y), abs(p.z)) < _FAR or not 1e-9 < length < _FAR:
@@ -148,37 +156,46 @@ def _seldom(rows: Sequence[Row]) -> list[Row]:
     return found
 
 
-_MOMENTS: Final = 50
-"So many times of a model are asked how much room it needs."
-_SHARE, _TURN = 0.0005, 0.0015
-"Nobody sees a link that is off by this share of the distance, or a quaternion that is off by so much."
 _TRAILS: Final = "(trails)"
 "No model has this name."
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class WorldPlay:
-    """Everything that a replay shows; times count from the beginning."""
+class WorldReplay(SceneReplay):
+    """What the window of Gazebo showed during a recording.
 
-    duration: float
-    """From the beginning to the end [s]."""
-    scene: Scene
-    """The end, with a stage for the whole."""
-    tracks: tuple[tuple[Row, ...], ...]
-    """For each frame of the scene: time [s], x, y, z [m], quaternion xyzw; straight in between."""
-    until: tuple[float | None, ...]
-    """For each frame, when it was gone [s]; None if it was there to the end."""
-    displays: tuple[TopicTrack, ...]
-    """For each of the marks of the scene, what it showed."""
+    Args:
+        tape: The recording.
+        settings: What is seen at first; the usual if None.
+        trails: Links that leave a trail: `model::link`, or `model` for its root link.
+        odometry: A recording of nav_msgs/Odometry; each of its topics leaves a trail as well.
+
+    Raises:
+        UnknownNameError: There was no such link, or no model to look at, of that name.
+    """
+
+    def __init__(
+        self,
+        tape: WorldTape,
+        settings: WorldSettings | None = None,
+        *,
+        trails: Sequence[str] = (),
+        odometry: RecordedTopics | None = None,
+    ) -> None:
+        tape.look()
+        settings = settings or WorldSettings()
+        super().__init__(world_scene_tape(tape, settings, trails=trails, odometry=odometry))
+
+    def __repr__(self) -> str:
+        return f"WorldReplay({self.tape.duration:.2f} s, {len(self.tape.tracks)} links)"
 
 
-def world_play(
+def world_scene_tape(
     tape: WorldTape,
     settings: WorldSettings,
     *,
     trails: Sequence[str] = (),
     odometry: RecordedTopics | None = None,
-) -> WorldPlay:
+) -> SceneTape:
     """A recording, made ready to be shown.
 
     Args:
@@ -207,42 +224,34 @@ def world_play(
         marks=tuple(one.marks for one in displays),
         headline=headline(actors, tape.duration),
     )
-    tolerances = (*[_SHARE * scene.stage.camera.distance] * 3, *[_TURN] * 4)
     rows = {name: rows for track in tape.tracks for name, rows in track.links.items()}
     ends = {name: track.until for track in tape.tracks for name in track.links}
-    return WorldPlay(
+    return SceneTape(
+        start_ns=tape.start_ns,
         duration=tape.duration,
         scene=scene,
-        tracks=tuple(tuple(thinned(rows[pose.name], tolerances)) for pose in frames),
-        until=tuple(ends[pose.name] for pose in frames),
-        displays=displays,
+        tracks=tuple(pose_track(scene, rows[pose.name], until=ends[pose.name]) for pose in frames),
+        marks=displays,
     )
 
 
-def _last_poses(track: Track) -> Iterator[FramePose]:
+def _last_poses(track: ModelTrack) -> Iterator[FramePose]:
     if track.actor.is_ground:
         return
     for pose in link_poses(track.actor.model, name=track.actor.name):
-        yield _posed(pose, track.links[pose.name][-1])
+        yield posed(pose, track.links[pose.name][-1])
 
 
-def _posed(pose: FramePose, row: Row) -> FramePose:
-    _, x, y, z, a, b, c, d = row
-    return replace(pose, origin=(x, y, z), rotation=(a, b, c, d))
-
-
-def _outline(track: Track) -> Iterator[Vector]:
+def _outline(track: ModelTrack) -> Iterator[Vector]:
     """Corners of all shapes of a model, at some of its times."""
-    if track.actor.is_ground:
-        return
-    poses = list(link_poses(track.actor.model, name=track.actor.name))
-    rows = len(track.links[poses[0].name]) if poses else 0
-    for number in [*range(0, rows, max(1, rows // _MOMENTS)), *([rows - 1] if rows else [])]:
-        placed = {pose.name: _posed(pose, track.links[pose.name][number]) for pose in poses}
-        yield from outline(track.actor.shapes, placed)
+    for pose in _last_poses(track):
+        moments = [*sampled(pose, track.links[pose.name]), pose]
+        for solid in track.actor.shapes.solids:
+            if solid.link == pose.name and solid.role in (Role.VISUAL, Role.COLLISION):
+                yield from swept_corners(solid, moments)
 
 
-def _happenings(tape: WorldTape, settings: WorldSettings) -> Iterator[TopicTrack]:
+def _happenings(tape: WorldTape, settings: WorldSettings) -> Iterator[MarksTrack]:
     """Contacts and scans; those that are not wanted are left out, since they are long."""
     scale = ForceScale([track.actor for track in tape.tracks], tape.gravity)
     if settings.contacts:
@@ -253,9 +262,8 @@ def _happenings(tape: WorldTape, settings: WorldSettings) -> Iterator[TopicTrack
         yield _display(seen, laser_marks((), is_on=True))
 
 
-def _display(seen: Sequence[tuple[float, Marks]], nothing: Marks) -> TopicTrack:
-    return TopicTrack(
+def _display(seen: Sequence[tuple[float, Marks]], nothing: Marks) -> MarksTrack:
+    return MarksTrack(
         marks=seen[-1][1] if seen else nothing,
         moments=tuple((time, Shown(points=one.points, lines=one.lines)) for time, one in seen),
-        keep=0,
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import html
 import json
 from collections.abc import Sequence
@@ -76,6 +77,18 @@ def inline_frame(page: str, *, title: str, height: int, still: str = "") -> str:
         'style="border:0;display:block;position:absolute;top:0;left:0;background:canvas"></iframe></div>'
         f"<script>\n{_asset('around.js')}</script>"
     )
+
+
+def png_image(data: bytes, words: str, *, style: str = "max-width:100%") -> str:
+    """A PNG file as an element of HTML.
+
+    Args:
+        data: The file.
+        words: What it shows, for those who do not see it.
+        style: How it is laid out.
+    """
+    text = base64.b64encode(data).decode("ascii")
+    return f'<img alt="{escaped(words)}" src="data:image/png;base64,{text}" style="{style}">'
 
 
 def _asset(name: str) -> str:

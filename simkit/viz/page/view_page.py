@@ -190,7 +190,7 @@ def _short(name: str) -> str:
 
 def _still(scene: Scene) -> str:
     """The picture before the scripts run, and where they cannot draw in 3D."""
-    from simkit.viz.draw.pixels import png_of_pixels
+    from simkit.viz.draw.files import png_of_pixels
     from simkit.viz.still.scene_raster import scene_pixels
 
     data = png_of_pixels(scene_pixels(scene, size=_STILL_SIZE))

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from simkit.viz.saving import save_as
+from simkit.viz.draw.files import save_as
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import base64
-import html
 from collections.abc import Iterator
 from typing import Final
 
 from simkit.viz.draw.drawing import Drawing, Label, Point, Polyline, Shape
 from simkit.viz.draw.figure import png_bytes
+from simkit.viz.draw.files import few_colored_png
 from simkit.viz.draw.letters import label_places, shortened, text_width, wrapped
-from simkit.viz.draw.pixels import few_colored_png
+from simkit.viz.page.html import png_image
 from simkit.viz.page.scene_data import MOST_NAMES, grid_note, summary
 from simkit.viz.stage.camera import on_paper
 from simkit.viz.stage.scene import LONGEST, Scene
@@ -37,9 +36,8 @@ def still_png(scene: Scene, *, scale: int = 2) -> bytes:
 
 def still_image(scene: Scene) -> str:
     """The picture as an element of HTML, with words for those who do not see it."""
-    data = base64.b64encode(few_colored_png(still_png(scene, scale=1))).decode("ascii")
-    words = html.escape(f"{scene.window.title}: {summary(scene)}")
-    return f'<img alt="{words}" src="data:image/png;base64,{data}" style="max-width:100%">'
+    data = few_colored_png(still_png(scene, scale=1))
+    return png_image(data, f"{scene.window.title}: {summary(scene)}")
 
 
 def still_drawing(scene: Scene) -> Drawing:

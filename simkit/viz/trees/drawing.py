@@ -16,9 +16,9 @@ from simkit.viz.draw.drawing import (
     RoundedBox,
     Shape,
 )
+from simkit.viz.draw.files import save_as
 from simkit.viz.draw.letters import shortened
 from simkit.viz.draw.svg import svg_text
-from simkit.viz.saving import save_as
 from simkit.viz.trees.layout import (
     CARD_PADDING,
     FACT_HEIGHT,

@@ -12,9 +12,9 @@ from pathlib import Path
 from simkit.nodes.turtlesim import Frame, Stroke, Turtle
 from simkit.nodes.turtlesim.window import SIDE_PX, Point, hex_color, pixel
 from simkit.viz.draw.drawing import Area, Drawing, Ellipse, Group, Label, Plain, Polyline, Shape
+from simkit.viz.draw.files import save_as
 from simkit.viz.draw.svg import svg_text
 from simkit.viz.draw.thinning import simplified
-from simkit.viz.saving import save_as
 
 INVISIBLE_PX = 0.05  # a trail may be moved by so much to save points
 LABEL_PX = 13.0

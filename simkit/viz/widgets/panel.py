@@ -15,6 +15,7 @@ from typing import Any, ClassVar, Final
 
 from simkit.errors import SimkitError
 from simkit.viz.live_view import running_notebook
+from simkit.viz.page.html import png_image
 from simkit.viz.widgets.kernel_loop import KernelLoop, Later
 
 _PAUSE: Final = 0.1
@@ -206,8 +207,8 @@ def picture_html(picture: Mapping[str, str]) -> str:
         return picture["svg"]
     if "png" not in picture:
         return ""
-    words = html.escape(picture["words"])
-    return f'<img alt="{words}" src="data:image/png;base64,{picture["png"]}" style="display:block">'
+    data = base64.b64decode(picture["png"])
+    return png_image(data, picture["words"], style="display:block")
 
 
 @cache

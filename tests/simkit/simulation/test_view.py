@@ -206,7 +206,7 @@ def test_a_replay_shows_the_recorded_topics(sim, drive, laser):
     recording = sim.record(["/tf", "/scan", "/odom"])
     laser(1.0)
     replay = sim.rviz_replay(recording, keep=4)
-    odom, scan = replay.tape.topics
+    odom, scan = replay.tape.marks
     assert odom.keep == 4
     assert len(scan.moments) == 10
 

@@ -58,8 +58,8 @@ def test_a_recording_is_played_again(sim, car):
     sim.run(0.5)
     replay = sim.gzclient_replay(tape, trail="car", contacts=True, scans=False)
     assert isinstance(replay, WorldReplay)
-    assert replay.play.duration == pytest.approx(0.5)
-    assert [one.marks.name for one in replay.play.displays] == ["contacts", "trail-0"]
+    assert replay.tape.duration == pytest.approx(0.5)
+    assert [one.marks.name for one in replay.tape.marks] == ["contacts", "trail-0"]
     assert tape.joint("car", "left_wheel_joint")[-1][1] > 0.5
 
 

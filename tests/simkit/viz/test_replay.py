@@ -29,13 +29,20 @@ def test_its_script_finds_few_rows(replay, read_page):
     assert tape["duration"] == 2.0
     identity = [0, 0, 0, 1]
     assert tape["tracks"] == [
-        [[0.0, 0, 0, 0, *identity], [2.0, 0, 0, 0, *identity]],
-        [[0.0, 0, 0, 0, *identity], [2.0, 2, 0, 0, *identity]],
+        {"until": None, "rows": [[0.0, 0, 0, 0, *identity], [2.0, 0, 0, 0, *identity]]},
+        {"until": None, "rows": [[0.0, 0, 0, 0, *identity], [2.0, 2, 0, 0, *identity]]},
     ]
 
 
 def test_equal_recordings_give_equal_bytes(replay, drive):
     assert replay.to_html() == RvizReplay(drive, RvizSettings()).to_html()
+
+
+def test_where_frames_are_left_out_its_end_is_seen(replay, tape):
+    for one in (replay, WorldReplay(tape)):
+        assert one._repr_png_().startswith(b"\x89PNG")
+        before_the_frame = one._repr_html_().partition("<iframe")[0]
+        assert 'src="data:image/png;base64,' in before_the_frame
 
 
 def test_it_is_shown_in_a_notebook_and_saved(replay, tmp_path):
@@ -61,7 +68,8 @@ def test_it_is_one_page_that_needs_nothing_else(tape, read_page):
     assert page.by_id("play")[0] == "button"
     assert page.by_id("time")[1]["max"] == "0.500"
     data = page.data["tape"]
-    assert [len(data[name]) for name in ("tracks", "until", "topics")] == [3, 3, 2]
+    assert [len(data[name]) for name in ("tracks", "marks")] == [3, 2]
+    assert [track["until"] for track in data["tracks"]] == [None] * 3
     assert page.by_id("marks-contacts")[0] == page.by_id("marks-trail-0")[0] == "input"
 
 
@@ -74,7 +82,7 @@ def test_it_does_not_change_when_the_recording_goes_on(sim, tape):
     before = replay.to_html()
     sim.run(0.2)
     assert replay.to_html() == before
-    assert WorldReplay(tape).play.duration == pytest.approx(0.7)
+    assert WorldReplay(tape).tape.duration == pytest.approx(0.7)
 
 
 def test_it_is_shown_in_a_notebook_and_saved_replay(tape, tmp_path):

@@ -65,7 +65,7 @@ def at(track, time):
 def test_between_its_rows_a_frame_is_where_it_was(turning):
     tape = taped(turning)
     assert (tape.start_ns, tape.duration) == (START * 10**9, pytest.approx(4.0))
-    tracks = {p.name: t for p, t in zip(tape.scene.tf.poses, tape.tracks, strict=True)}
+    tracks = {p.name: t.rows for p, t in zip(tape.scene.tf.poses, tape.tracks, strict=True)}
     for k in range(0, 200, 7):
         *place, _, _, z, w = at(tracks["torso"], k / 50)
         assert place == pytest.approx((1, 0, 0.05), abs=1e-3)
@@ -77,13 +77,13 @@ def test_between_its_rows_a_frame_is_where_it_was(turning):
 
 def test_quaternions_do_not_jump(turning):
     for track in taped(turning).tracks:
-        for before, after in pairwise(track):
+        for before, after in pairwise(track.rows):
             assert math.fsum(a * b for a, b in zip(before[4:], after[4:], strict=True)) > 0.9
 
 
 def test_a_frame_begins_when_it_is_first_heard_of(turning):
     tape = taped(turning)
-    begins = {p.name: t[0][0] for p, t in zip(tape.scene.tf.poses, tape.tracks, strict=True)}
+    begins = {p.name: t.rows[0][0] for p, t in zip(tape.scene.tf.poses, tape.tracks, strict=True)}
     assert begins["torso"] == 0.0
     assert begins["upper_arm"] == pytest.approx(2.0, abs=0.05)
 
@@ -92,7 +92,7 @@ def test_after_a_silence_a_frame_jumps(turning):
     turning.say(9.0, "base_link", "torso", (0, 0, 3))
     tape = taped(turning)
     (torso,) = [
-        t for p, t in zip(tape.scene.tf.poses, tape.tracks, strict=True) if p.name == "torso"
+        t.rows for p, t in zip(tape.scene.tf.poses, tape.tracks, strict=True) if p.name == "torso"
     ]
     assert at(torso, 8.5)[2] == pytest.approx(0.05, abs=1e-3)
     assert at(torso, 9.0)[2] == pytest.approx(3)
@@ -101,7 +101,7 @@ def test_after_a_silence_a_frame_jumps(turning):
 def test_the_camera_sees_every_moment(turning, arm):
     tape = taped(turning, robot=arm)
     for track in tape.tracks:
-        for _, x, y, z, *_ in track:
+        for _, x, y, z, *_ in track.rows:
             column, row = on_paper(tape.scene.stage.camera.seen((x, y, z)), (720, 450))
             assert 0 <= column <= 720
             assert 0 <= row <= 450
@@ -109,7 +109,7 @@ def test_the_camera_sees_every_moment(turning, arm):
 
 def test_seen_from_another_frame(turning):
     tape = taped(turning, fixed_frame="torso")
-    tracks = {p.name: t for p, t in zip(tape.scene.tf.poses, tape.tracks, strict=True)}
+    tracks = {p.name: t.rows for p, t in zip(tape.scene.tf.poses, tape.tracks, strict=True)}
     assert len(tracks["torso"]) == 2
     assert len(tracks["world"]) > 20
 

@@ -4,8 +4,9 @@ import pytest
 
 from simkit.msgs import Time, message_class
 from simkit.viz import RvizReplay, RvizSettings
+from simkit.viz.rviz_tape import MOST_POINTS, TopicTape
 from simkit.viz.stage.rviz_settings import LaserScanDisplay, OdometryDisplay, displays_of
-from simkit.viz.tape import MOST_POINTS, TopicTape, track_data
+from simkit.viz.tape import marks_track_data
 
 START = 1_600_088_400
 
@@ -40,7 +41,7 @@ def test_a_moment_is_kept_when_something_has_changed(buffer):
     assert [(time, len(shown.points)) for time, shown in track.moments] == [(0.5, 1), (1.0, 2)]
     assert len(track.marks.points) == 2
     assert track.keep == 0
-    moments = track_data(track)["moments"]
+    moments = marks_track_data(track)["moments"]
     assert [moment["time"] for moment in moments] == [0.5, 1.0]
     assert moments[0]["points"] == [1, 0, 0]
     assert moments[0]["palette"][moments[0]["colors"][0]].startswith("#")
@@ -104,7 +105,7 @@ def replay(drive):
 
 
 def test_a_replay_shows_where_the_laser_was_at_each_time(replay):
-    odom, scans = replay.tape.topics
+    odom, scans = replay.tape.marks
     for time, shown in scans.moments:
         assert shown.points[0][0] == pytest.approx(time + 1.0, abs=0.06)
     assert len(odom.moments) == 11
@@ -114,7 +115,7 @@ def test_a_replay_shows_where_the_laser_was_at_each_time(replay):
 
 def test_the_page_of_a_replay_has_the_moments_and_a_checkbox(replay, read_page):
     page = read_page(replay.to_html())
-    odom, scans = page.data["tape"]["topics"]
+    odom, scans = page.data["tape"]["marks"]
     assert len(scans["moments"]) == 11
     assert odom["keep"] == 100
     assert page.by_id("marks-topic-1")[0] == "input"

@@ -8,7 +8,7 @@ from simkit.errors import UnknownNameError
 from simkit.msgs import Time, message_class
 from simkit.viz.stage.world_scene import WorldSettings
 from simkit.viz.world_recording import WorldTape
-from simkit.viz.world_tape import Way, link_ways, odometry_ways, trail_track, world_play
+from simkit.viz.world_tape import Way, link_ways, odometry_ways, trail_track, world_scene_tape
 
 
 @pytest.fixture
@@ -26,15 +26,15 @@ def tape(sim, cart, cart_text):
 
 
 def play(tape, *trails, **settings):
-    return world_play(tape, WorldSettings(**settings), trails=trails)
+    return world_scene_tape(tape, WorldSettings(**settings), trails=trails)
 
 
 def test_every_link_that_ever_was_has_a_track_with_few_rows(tape):
     found = play(tape)
     names = [pose.name for pose in found.scene.tf.poses]
     assert [name.partition("::")[0] for name in names] == ["cart"] * 3 + ["guest"] * 3
-    assert len(found.tracks) == len(found.until) == len(names)
-    rows = found.tracks[names.index("cart::base")]
+    assert len(found.tracks) == len(names)
+    rows = found.tracks[names.index("cart::base")].rows
     assert (rows[0][0], rows[-1][0]) == pytest.approx((0.0, 1.0))
     assert len(rows) < len(tape.link("cart", "base"))
     assert rows[-1][1] > rows[0][1] + 0.2
@@ -44,9 +44,9 @@ def test_a_guest_comes_and_goes(tape):
     found = play(tape)
     names = [pose.name for pose in found.scene.tf.poses]
     number = names.index("guest::base")
-    assert found.tracks[number][0][0] == pytest.approx(0.33, abs=0.04)
-    assert found.until[number] == pytest.approx(0.62, abs=0.04)
-    assert found.until[0] is None
+    assert found.tracks[number].rows[0][0] == pytest.approx(0.33, abs=0.04)
+    assert found.tracks[number].until == pytest.approx(0.62, abs=0.04)
+    assert found.tracks[0].until is None
 
 
 def test_the_stage_holds_the_whole_way(tape):
@@ -58,22 +58,22 @@ def test_the_stage_holds_the_whole_way(tape):
 
 
 def test_contacts_are_there_if_asked_for(tape):
-    assert play(tape).displays == ()
-    (contacts,) = play(tape, contacts=True).displays
+    assert play(tape).marks == ()
+    (contacts,) = play(tape, contacts=True).marks
     assert contacts.marks.name == "contacts"
     assert [time for time, _ in contacts.moments] == [time for time, _ in tape.contacts]
     assert contacts.moments[0][1].points
 
 
 def test_a_trail_joins_the_places_of_a_link(tape):
-    (trail,) = play(tape, "cart").displays
+    (trail,) = play(tape, "cart").marks
     assert trail.marks.label == "Trail of cart::base"
     places = [place for _, shown in trail.moments for place in shown.lines[0]]
     rows = tape.link("cart", "base")
     assert places[0] == rows[0][1:4]
     assert places[-1] == rows[-1][1:4]
     assert trail.keep >= len(trail.moments)
-    (of_lid,) = play(tape, "cart::lid").displays
+    (of_lid,) = play(tape, "cart::lid").marks
     assert of_lid.marks.lines[0][-1] == tape.link("cart", "lid")[-1][1:4]
 
 

@@ -1,20 +1,20 @@
-// Plays what frames did. Data: see RvizReplay in rviz_replay.py; rows are [time, x, y, z, quaternion].
+// Plays what frames and displays did. Data: see SceneReplay in tape.py; values are x, y, z, quaternion.
 (() => {
-  const { duration, tracks, topics, until = [] } = view.scene.tape, frames = view.scene.frames;
-  const shown = topics.map(() => undefined);
-  let told = 0;
+  const { duration, tracks, marks } = view.scene.tape, frames = view.scene.frames;
+  const shown = marks.map(() => undefined);
+  let written = 0;
 
-  function place(frame, rows, now, end) {
-    const index = rowAt(rows, now);
-    frame.isHidden = index < 0 || (end !== undefined && end !== null && now >= end);
-    if (frame.isHidden) return;
-    const [, ...pose] = between(rows, index, now), turn = pose.slice(3), length = Math.hypot(...turn);
+  function place(frame, track, now) {
+    const pose = valuesAt(track, now);
+    frame.isHidden = !pose;
+    if (!pose) return;
+    const turn = pose.slice(3), length = Math.hypot(...turn);
     frame.p = pose.slice(0, 3);
     frame.q = turn.map((value) => value / length);
   }
 
   // What a display shows at a time: its last moment, or the newest lines of its trail.
-  function showTopic({ keep, moments }, number, now) {
+  function showMarks({ keep, moments }, number, now) {
     let index = 0;
     while (index < moments.length && moments[index].time <= now) index++;
     if (index === shown[number]) return;
@@ -28,12 +28,12 @@
   }
 
   new Player(duration, (now) => {
-    tracks.forEach((rows, i) => place(frames[i], rows, now, until[i]));
-    topics.forEach((topic, i) => showTopic(topic, i, now));
+    tracks.forEach((track, i) => place(frames[i], track, now));
+    marks.forEach((track, i) => showMarks(track, i, now));
     view.moved();
     const wall = performance.now();
-    if (element("table").open && (wall > told + 200 || now === duration)) {
-      told = wall;
+    if (element("table").open && (wall > written + 200 || now === duration)) {
+      written = wall;
       tellNumbers(frames);
     }
   });

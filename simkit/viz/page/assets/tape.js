@@ -17,6 +17,12 @@ function between(rows, index, time) {
   return before.map((value, i) => value + ratio * (after[i] - value));
 }
 
+// The values of a track at a time; undefined as long as its thing is not there.
+function valuesAt({ rows, until }, time) {
+  const index = rowAt(rows, time);
+  return index < 0 || (until !== null && time >= until) ? undefined : between(rows, index, time).slice(1);
+}
+
 // Calls `show` with each time [s] that is to be seen; begins at the end.
 class Player {
   constructor(duration, show) {

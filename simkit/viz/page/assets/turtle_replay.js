@@ -1,4 +1,4 @@
-// Plays what turtles did. Data: see TurtleReplay in turtlesim/replay.py; rows are [time, x, y, ...].
+// Plays what turtles did. Data: see TurtleReplay in turtlesim/replay.py; values are x, y, heading.
 (() => {
   const tape = JSON.parse(document.getElementById("data").textContent);
   const [paper, trails] = ["paper", "trails"].map((id) => document.getElementById(id));
@@ -31,14 +31,13 @@
   }
 
   function showTurtle(turtle, number) {
-    const index = rowAt(turtle.rows, now);
-    const isHere = index >= 0 && (turtle.until === null || now <= turtle.until);
-    bodies[number].style.display = isHere ? "" : "none";
-    if (!isHere) {
+    const values = valuesAt(turtle, now);
+    bodies[number].style.display = values ? "" : "none";
+    if (!values) {
       cells[number].forEach((cell) => { cell.textContent = ""; });
       return;
     }
-    const [, x, y, heading] = between(turtle.rows, index, now);
+    const [x, y, heading] = values;
     const [body, name] = bodies[number].children;
     body.setAttribute("transform", `translate(${x} ${y}) rotate(${-heading})`);
     const half = name.getBBox ? name.getBBox().width / 2 + 4 : 0;
@@ -46,8 +45,8 @@
     name.setAttribute("transform", `translate(${inside} ${y})`);
     name.setAttribute("y", y + 38 < 496 ? 38 : -28);
     const turned = heading - 360 * Math.floor((heading + 180) / 360);
-    const values = [(x - 0.5) / tape.metre, tape.side - (y - 0.5) / tape.metre, turned];
-    cells[number].forEach((cell, i) => { cell.textContent = values[i].toFixed(i < 2 ? 2 : 0); });
+    const readings = [(x - 0.5) / tape.metre, tape.side - (y - 0.5) / tape.metre, turned];
+    cells[number].forEach((cell, i) => { cell.textContent = readings[i].toFixed(i < 2 ? 2 : 0); });
   }
 
   new Player(tape.duration, (time) => {
