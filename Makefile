@@ -47,9 +47,15 @@ $(TESTS): $(READY) requirements-test.lock
 # The terminals of the lab know the commands of ROS.
 TERMINALS = --ServerApp.terminado_settings="shell_command=['$(CURDIR)/$(BIN)/simkit','shell','--force']"
 
+# No question at the start whether JupyterLab may fetch news.
+SETTINGS = $(VENV)/share/jupyter/lab/settings
+NO_NEWS  = {"@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": false}}
+
 lab: $(READY)
+	@mkdir -p $(SETTINGS) && echo '$(NO_NEWS)' > $(SETTINGS)/overrides.json
 	$(BIN)/grader start all
-	cd $(WORK) && PATH="$(CURDIR)/$(BIN):$$PATH" jupyter lab $(TERMINALS) $(LAB_OPTIONS)
+	@test "$$(id -u)" != 0 || echo "As root, JupyterLab starts with: make lab LAB_OPTIONS=--allow-root"
+	cd $(WORK) && PATH="$(CURDIR)/$(BIN):$$PATH" jupyter lab $(TERMINALS) "Start here.ipynb" $(LAB_OPTIONS)
 
 grade: $(READY)
 	$(BIN)/grader grade solutions exercises --out gradebook

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from grader.notebook import check
+    from grader.progress import progress
 
-__all__ = ["check"]
+__all__ = ["check", "progress"]
+
+_HOMES = {"check": "notebook", "progress": "progress"}
 
 
 def __getattr__(name: str) -> Any:
     # Loaded when first used: a check file that imports `grader.checks` needs nothing of it.
-    if name == "check":
-        from grader.notebook import check
-
-        return check
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"grader.{_HOMES[name]}"), name)

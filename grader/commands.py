@@ -103,7 +103,7 @@ def build(options: argparse.Namespace) -> int:
 def start(options: argparse.Namespace) -> int:
     """`grader start ID|all`."""
     from grader.authoring.start import start as start_exercise
-    from grader.authoring.start import start_lectures
+    from grader.authoring.start import start_lectures, start_page_of
 
     root = _root(options)
     ids = list(load_exercises(root)) if options.id == "all" else [options.id]
@@ -112,7 +112,7 @@ def start(options: argparse.Namespace) -> int:
         for message in started.messages:
             print(message)
     if options.id == "all":
-        for message in start_lectures(root):
+        for message in (*start_lectures(root), *start_page_of(root)):
             print(message)
     return OK
 

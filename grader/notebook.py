@@ -10,6 +10,7 @@ from typing import Any
 
 from grader.errors import GraderError, SubmissionError
 from grader.exercises import Exercise, find_root, get_exercise
+from grader.progress import remember
 from grader.report.html import exercise_html, message_html
 from grader.report.text import exercise_text
 from grader.results import ExerciseResult, Status
@@ -85,6 +86,7 @@ def check_folder(
     submission = replace(submission, notes=(*submission.notes, *stale))
     sandbox = find_sandbox(private=(root,))
     result = grade_submission(submission, exercise, hidden=False, sandbox=sandbox)
+    remember(work, result)
     return CheckReport(result=result, title=exercise.title)
 
 

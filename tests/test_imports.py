@@ -93,10 +93,11 @@ MAY_IMPORT = {
     "grader.run": "grader.errors grader.results grader.exercises grader.submission grader.sandbox "
     "grader.checks",
     "grader.report": "grader.errors grader.results grader.exercises grader.run",
+    "grader.progress": "grader.results grader.exercises",
     "grader.authoring": "grader.errors grader.results grader.exercises grader.submission "
-    "grader.sandbox grader.run",
+    "grader.sandbox grader.run grader.progress",
     "grader.notebook": "grader.errors grader.results grader.exercises grader.submission "
-    "grader.sandbox grader.run grader.report",
+    "grader.sandbox grader.run grader.report grader.progress",
     "grader.commands": "grader",
     "grader.cli": "grader",
     # what the checks of the course share

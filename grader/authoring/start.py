@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from grader.authoring.lectures import FOLDER, lecture_paths
+from grader.authoring.start_page import NAME, start_page
 from grader.errors import GraderError, SubmissionError
 from grader.exercises import Exercise, get_exercise
 from grader.submission import read_notebook
@@ -90,6 +91,32 @@ def start_lectures(root: Path, *, work: Path | None = None) -> tuple[str, ...]:
         )
     except OSError as error:
         raise GraderError(f"cannot write to {work}: {error}") from error
+
+
+def start_page_of(root: Path, *, work: Path | None = None) -> tuple[str, ...]:
+    """Lay the start page into the working folder, unless the student has made it their own.
+
+    Args:
+        root: Folder of the workbook.
+        work: The working folder; `root/work` if None.
+
+    Returns:
+        Sentences for the student.
+
+    Raises:
+        GraderError: The working folder cannot be written.
+    """
+    work = work if work is not None else root / "work"
+    page = work / NAME
+    record = _read_record(work)
+    if page.exists() and _fingerprint(page) != record.get(NAME):
+        return ()
+    try:
+        page.write_text(start_page(root, work), encoding="utf-8", newline="\n")
+        _write_record(work, record | {NAME: _fingerprint(page)})
+    except OSError as error:
+        raise GraderError(f"cannot write to {work}: {error}") from error
+    return (f"begin with {page.name}",)
 
 
 def _lectures(root: Path) -> Iterator[tuple[Path, str]]:

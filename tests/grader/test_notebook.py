@@ -21,7 +21,7 @@ def work(workbook, monkeypatch):
 
 
 def test_it_is_what_the_package_offers():
-    assert grader.__all__ == ["check"]
+    assert grader.__all__ == ["check", "progress"]
     assert grader.check is check
 
 

@@ -1,12 +1,14 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from grader.authoring.start import start, start_lectures
+from grader.authoring.start import start, start_lectures, start_page_of
+from grader.submission import read_notebook
 from simkit.errors import UnknownNameError
 
 
@@ -115,3 +117,27 @@ def test_lectures_are_laid_beside_the_exercises_by_the_same_rules(built: Any) ->
     (said,) = start_lectures(built.root)
     assert "lies beside it as 1_frames (new).ipynb" in said
     assert mine.read_text() == "mine"
+
+
+def test_the_start_page_links_what_there_is_and_knows_what_is_done(built: Any) -> None:
+    work = built.root / "work"
+    start(built.root, "3.1")
+    assert start_page_of(built.root) == ("begin with Start here.ipynb",)
+    page = work / "Start here.ipynb"
+    text = "".join(cell.source for cell in read_notebook(page).cells)
+    for link in re.findall(r"\]\(([^)]+)\)", text):
+        assert (work / link).is_file()
+    assert "not checked yet" in page.read_text()
+    (work / ".checked.json").write_text('{"3.1": {"points": 2, "of": 2, "status": "passed"}}')
+    start_page_of(built.root)
+    assert "2 of 2 points" in page.read_text()
+
+
+def test_a_start_page_with_notes_of_the_student_is_left_alone(built: Any) -> None:
+    start(built.root, "3.1")
+    start_page_of(built.root)
+    page = built.root / "work" / "Start here.ipynb"
+    page.write_text(page.read_text().replace("# Welcome", "# My notes"))
+    mine = page.read_bytes()
+    assert start_page_of(built.root) == ()
+    assert page.read_bytes() == mine
