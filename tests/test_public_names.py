@@ -1,6 +1,6 @@
 """What a package promises in `__all__` is there, in order, and explained.
 
-Run as a program with names of modules, it tells of them as JSON: so the modules of node processes
+Run as a program with names of modules, it prints their facts as JSON: so the modules of node processes
 are looked at in a process of their own.
 """
 
@@ -26,6 +26,7 @@ if __name__ != "__main__":  # as a program it tests nothing
 
 ROOT = Path(__file__).resolve().parents[1]
 LONGEST_FIRST_LINE = 100
+NODE_MODULES = "simkit.ros1."
 
 
 def promising_modules() -> list[str]:
@@ -64,14 +65,17 @@ def explained(module: ModuleType) -> Iterator[tuple[str, object]]:
                     yield f"{name}.{method}", function
 
 
-@functools.cache
 def facts_of(name: str) -> dict[str, Any]:
-    if not name.startswith("simkit.ros1"):
-        return facts(name)
-    command = [sys.executable, __file__, name.removeprefix("simkit.ros1.")]
+    return node_facts()[name] if name.startswith(NODE_MODULES) else facts(name)
+
+
+@functools.cache
+def node_facts() -> dict[str, dict[str, Any]]:
+    """The facts of all modules of node processes, by name."""
+    names = [name for name in promising_modules() if name.startswith(NODE_MODULES)]
+    command = [sys.executable, __file__, *(name.removeprefix(NODE_MODULES) for name in names)]
     done = subprocess.run(command, check=True, capture_output=True, text=True)
-    found: dict[str, Any] = json.loads(done.stdout)
-    return found
+    return dict(zip(names, json.loads(done.stdout), strict=True))
 
 
 def place_in_all(name: str) -> tuple[int, list[str | int]]:
@@ -108,4 +112,4 @@ if __name__ == "__main__":
 
     make_modules_importable()
     with client.preloading():
-        print(json.dumps(facts(sys.argv[1])))
+        print(json.dumps([facts(name) for name in sys.argv[1:]]))

@@ -213,5 +213,6 @@ def test_ruff_is_content(command: tuple[str, ...]) -> None:
     )
 
 
+@pytest.mark.slow  # and `make lint`, with which CI begins
 def test_mypy_is_content() -> None:
     broken_laws(run("mypy").splitlines(), "`make lint` shows it, in a second once it has run")

@@ -6,10 +6,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from grader.authoring.start import start
 from grader.exercises import Exercise
 
 Run = Callable[[Path], list[Any]]
+LECTURES = sorted((Path(__file__).resolve().parents[2] / "lectures").glob("*.ipynb"))
 
 
 def started(course: Path, exercise: Exercise) -> Path:
@@ -47,6 +50,7 @@ def test_the_solution_passes_every_public_check(
     assert errors(cells) == []
 
 
+@pytest.mark.slow
 def test_the_untouched_exercise_is_not_attempted(
     course: Path, exercise: Exercise, run: Run
 ) -> None:
@@ -59,10 +63,8 @@ def test_the_untouched_exercise_is_not_attempted(
     assert errors(cells) == []
 
 
-def test_a_lecture_runs(root: Path, tmp_path: Path, run: Run) -> None:
-    lectures = sorted((root / "lectures").glob("*.ipynb"))
-    assert lectures
-    for lecture in lectures:
-        mine = tmp_path / lecture.name
-        mine.write_bytes(lecture.read_bytes())
-        assert errors(run(mine)) == []
+@pytest.mark.parametrize("lecture", LECTURES, ids=lambda path: path.stem)
+def test_a_lecture_runs(lecture: Path, tmp_path: Path, run: Run) -> None:
+    mine = tmp_path / lecture.name
+    mine.write_bytes(lecture.read_bytes())
+    assert errors(run(mine)) == []

@@ -49,17 +49,17 @@ def test_a_scaffold_is_graded_by_its_own_checks(tmp_path: Path) -> None:
 
 
 def test_a_copy_of_another_exercise_works_at_once_and_says_what_waits(tmp_path: Path) -> None:
-    for pattern in ("exercises/oracles/*.py", "exercises/test_3_01.py", "solutions/*3_01*[!b]"):
+    for pattern in ("exercises/oracles/*.py", "exercises/test_3_06.py", "solutions/*3_06*[!b]"):
         for path in ROOT.glob(pattern):
             copy = tmp_path / path.relative_to(ROOT)
             copy.parent.mkdir(parents=True, exist_ok=True)
             copy.write_bytes(path.read_bytes())
-    new_exercise(tmp_path, "3.12", title="Two turtles", like="3.1")
+    new_exercise(tmp_path, "3.12", title="Two arms", like="3.6")
     build(tmp_path)
-    assert get_exercise(tmp_path, "3.12").title == "Two turtles"
+    assert get_exercise(tmp_path, "3.12").title == "Two arms"
     findings = verify(tmp_path, jobs=2, only="3.12")
     assert [finding.what for finding in findings] == ["the scaffold still says FILL IN"] * 4
-    assert 'check("3.12")' in (tmp_path / "solutions/3_12_two_turtles.md").read_text("utf-8")
+    assert 'check("3.12")' in (tmp_path / "solutions/3_12_two_arms.md").read_text("utf-8")
 
 
 def test_a_copy_of_nothing_is_refused(tmp_path: Path) -> None:
