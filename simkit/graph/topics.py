@@ -27,11 +27,22 @@ class Topic:
         self.executor = executor
         self.publishers: list[Publisher] = []
         self.subscriptions: list[Subscription] = []
-        self.last: bytes | None = None
+        self._last: Callable[[], bytes] | bytes | None = None
+
+    @property
+    def last(self) -> bytes | None:
+        """Wire bytes of the last message, None if there was none."""
+        if self._last is not None and not isinstance(self._last, bytes):
+            self._last = self._last()
+        return self._last
+
+    def keep(self, make: Callable[[], bytes]) -> None:
+        """Take a message that nobody hears: its bytes are made when `last` is asked for."""
+        self._last = make
 
     def deliver(self, data: bytes, caller: str) -> None:
         """Hand wire bytes to every subscription, as events of this instant."""
-        self.last = data
+        self._last = data
         for subscription in list(self.subscriptions):
             subscription.push(data, caller)
 
@@ -81,15 +92,21 @@ class Publisher(Endpoint):
             GraphError: The publisher has ended, or the message is of another class.
             SerializationError: A field has a value of the wrong type; the message names the field.
         """
-        if not isinstance(message, self._topic.message_class):
-            raise GraphError(
-                f"topic {self.topic} carries {self._topic.message_class._type}, "
-                f"not {type(message).__name__}"
-            )
-        if message._has_header:
-            self._sequence += 1
-            message.header.seq = self._sequence
-        self.publish_bytes(message.to_bytes())
+        self._sequence += 1
+        self.publish_bytes(self._encoded(message, self._sequence))
+
+    def offer(self, make: Callable[[], Message]) -> None:
+        """Send a message that is made only if somebody listens, or asks later what was sent last.
+
+        Args:
+            make: Makes the message, of what was known when it was offered.
+        """
+        if self.closed or self.latch or not self._connected or self._topic.subscriptions:
+            self.publish(make())
+            return
+        self._sequence += 1
+        number = self._sequence
+        self._topic.keep(lambda: self._encoded(make(), number))
 
     def publish_bytes(self, data: bytes) -> None:
         """Send a message that is in wire format already."""
@@ -104,6 +121,16 @@ class Publisher(Endpoint):
         """Give a new subscription the latched message."""
         if self._latched is not None:
             subscription.push(self._latched, self.node_name)
+
+    def _encoded(self, message: Message, sequence: int) -> bytes:
+        if not isinstance(message, self._topic.message_class):
+            raise GraphError(
+                f"topic {self.topic} carries {self._topic.message_class._type}, "
+                f"not {type(message).__name__}"
+            )
+        if message._has_header:
+            message.header.seq = sequence
+        return message.to_bytes()
 
     def _leave(self) -> None:
         if self._connected:

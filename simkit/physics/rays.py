@@ -8,14 +8,15 @@ hits it from within, as in Gazebo.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from simkit.physics.engine import isometry
+from simkit.geometry import Vector
+from simkit.physics.engine import isometry, vector
 from simkit.physics.mesh import CollisionMesh
 from simkit.physics.model import Model
 from simkit.physics.plan import Plane, ShapePlan, Solid
@@ -55,11 +56,21 @@ class Target:
     ball: Ball
     """What a ray passes that hits it."""
 
-    @property
-    def middle(self) -> Floats:
-        """Middle of the ball in the world [m], (3,)."""
-        inner = self.ball.middle
-        return self.origin if inner is None else self.origin + self.rotation @ inner
+    middle: Vector
+    """Middle of the ball in the world [m]."""
+
+    @classmethod
+    def at(cls, shape: Solid | CollisionMesh, ball: Ball, matrix: Floats) -> Target:
+        """A shape and the ball around it at T_world_shape, (4, 4)."""
+        rotation, origin = matrix[:3, :3], matrix[:3, 3]
+        inner = ball.middle
+        middle = vector(origin if inner is None else origin + rotation @ inner)
+        return cls(shape, rotation, origin, ball, middle)
+
+    def is_between(self, origin: Vector, start: float, reach: float) -> bool:
+        """Whether something of the ball is so far away from an origin [m]."""
+        gap, radius = math.dist(origin, self.middle), self.ball.radius
+        return gap + radius >= start and gap - radius <= reach
 
 
 class RayShapes:
@@ -90,7 +101,7 @@ class RayShapes:
     def _target(shape: Solid | CollisionMesh, ball: Ball, frame: Any, inner: Any) -> Target:
         pose = frame.getWorldTransform()
         matrix = (pose if inner is None else pose.multiply(inner)).matrix()
-        return Target(shape, matrix[:3, :3], matrix[:3, 3], ball)
+        return Target.at(shape, ball, matrix)
 
     @staticmethod
     def _seen(node: Any, plan: ShapePlan) -> tuple[Any, Ball, Any, Any]:
@@ -112,7 +123,7 @@ class Hits:
 
 
 def cast(
-    origins: Floats,
+    origin: Vector,
     directions: Floats,
     *,
     targets: Sequence[Target],
@@ -122,25 +133,27 @@ def cast(
     """Cast rays.
 
     Args:
-        origins: Where they come from in the world [m], (n, 3), or (3,) for all.
+        origin: Where they come from in the world [m].
         directions: Unit vectors in the world, (n, 3).
         targets: What they may hit.
         reach: What is farther away from the origin is not hit [m].
         start: They begin so far from their origin [m].
     """
-    ways = np.ascontiguousarray(np.asarray(directions, dtype=np.float64).T)
-    points = np.ascontiguousarray(np.atleast_2d(np.asarray(origins, dtype=np.float64)).T)
+    ways = np.ascontiguousarray(directions.T)
+    point = np.array(origin)[:, None]
     distances = np.full(ways.shape[1], np.inf)
     numbers = np.full(ways.shape[1], MISS, dtype=np.intp)
+    near = [number for number, one in enumerate(targets) if one.is_between(origin, start, reach)]
+    passes = _passing(point, ways, [targets[number] for number in near], start)
     with np.errstate(divide="ignore", invalid="ignore"):
-        for number, rays in _passing(points, ways, targets, (start, reach)):
-            target = targets[number]
+        for number, row in zip(near, passes, strict=True):
+            rays, target = row.nonzero()[0], targets[number]
+            if not rays.size:
+                continue
             turn = target.rotation.T
-            away = (points if points.shape[1] == 1 else points.take(rays, 1)) - target.origin[
-                :, None
-            ]
             local = turn @ ways.take(rays, 1)
-            found = start + _hit(target.shape, turn @ away + start * local, local)
+            inner = turn @ (point - target.origin[:, None]) + start * local
+            found = start + _hit(target.shape, inner, local)
             is_first = (found < distances.take(rays)) & (found <= reach)
             first = rays[is_first]
             distances[first], numbers[first] = found[is_first], number
@@ -148,23 +161,15 @@ def cast(
 
 
 def _passing(
-    points: Floats, ways: Floats, targets: Sequence[Target], between: tuple[float, float]
-) -> Iterator[tuple[int, NDArray[np.intp]]]:
-    """Numbers of targets, and of the rays that pass the ball around each between their start and their reach [m]."""
-    start, reach = between
-    away = np.array([one.middle for one in targets]).reshape(-1, 3, 1) - points
-    radii = np.array([one.ball.radius for one in targets]).reshape(-1, 1)
-    squares = (away * away).sum(axis=1)
-    gaps = np.sqrt(squares)
-    near = ((gaps + radii >= start) & (gaps - radii <= reach)).any(axis=1).nonzero()[0]
-    away, radii = away[near], radii[near]
-    along = away[:, :, 0] @ ways if points.shape[1] == 1 else (away * ways).sum(axis=1)
-    passes = along * along >= squares[near] - radii * radii
+    point: Floats, ways: Floats, targets: Sequence[Target], start: float
+) -> NDArray[np.bool_]:
+    """Whether a ray passes the ball around a target, beyond its start [m]: (targets, rays)."""
+    away = np.array([one.middle for one in targets]).reshape(-1, 3) - point.T
+    radii = np.array([one.ball.radius for one in targets])[:, None]
+    along = away @ ways
+    passes: NDArray[np.bool_] = along * along >= (away * away).sum(axis=1)[:, None] - radii * radii
     passes &= along >= start - radii
-    for number, row in zip(near.tolist(), passes, strict=True):
-        rays = row.nonzero()[0]
-        if rays.size:
-            yield number, rays
+    return passes
 
 
 def ball_around(shape: Solid | CollisionMesh) -> Ball:

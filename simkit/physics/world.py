@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from simkit.errors import UnknownNameError
 from simkit.geometry import Transform, Vector
 from simkit.physics.contact import Contact, Owner, read_contacts
-from simkit.physics.engine import GRAVITY, STEP_NS, checked_pose, new_engine_world
+from simkit.physics.engine import GRAVITY, STEP_NS, checked_pose, new_engine_world, vector
 from simkit.physics.errors import ModelError, PhysicsError
 from simkit.physics.ground import ground_plan
 from simkit.physics.model import Model
@@ -254,12 +254,17 @@ class World:
             Distances, and numbers of what is hit: places in `targets`.
         """
         targets = [target for shapes in self._ray_shapes.values() for target in shapes.targets()]
-        return cast(
-            np.asarray(origins, float),
-            np.asarray(directions, float),
-            targets=targets,
-            reach=reach,
-            start=start,
+        points, ways = np.asarray(origins, float), np.asarray(directions, float)
+        if points.ndim == 1:
+            return cast(vector(points), ways, targets=targets, reach=reach, start=start)
+        rays = zip(points, ways[:, None], strict=True)
+        found = [
+            cast(vector(point), way, targets=targets, reach=reach, start=start)
+            for point, way in rays
+        ]
+        return Hits(
+            np.array([float(one.distances[0]) for one in found]),
+            np.array([int(one.targets[0]) for one in found], dtype=np.intp),
         )
 
     @property

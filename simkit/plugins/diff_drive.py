@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
+from simkit.plugins.joint_state_publisher import TOPIC, JointStateTopic
 from simkit.plugins.odometry import (
     Covariances,
     EncoderOdometry,
@@ -20,7 +21,7 @@ from simkit.plugins.rate import UpdateRate
 from simkit.plugins.site import Site
 from simkit.plugins.tag_values import resolve_frame, shown_namespace, tf_prefix, topic_of
 from simkit.plugins.tags import DiffDriveParameters
-from simkit.plugins.wheels import MotorWheel, SpeedRamp, TwistListener, WheelStates, WheelTransforms
+from simkit.plugins.wheels import MotorWheel, SpeedRamp, TwistListener, WheelTransforms
 
 COVARIANCES = Covariances(pose=planar_covariance(1e-5, 1e-5, 1e-3), twist=[0.0] * 36)
 """What odometry says of its errors, whatever they are."""
@@ -53,7 +54,7 @@ class DiffDrive(Plugin[DiffDriveParameters]):
         self._command_topic = topic_of(site, "commandTopic", parameters.command_topic)
         self._odometry_topic = topic_of(site, "odometryTopic", parameters.odometry_topic)
         self._odometry: OdometryPublisher | None = None
-        self._wheels: list[WheelStates | WheelTransforms] = []
+        self._wheels: list[JointStateTopic | WheelTransforms] = []
 
     @classmethod
     def speaker(cls, site: Site) -> str:
@@ -128,7 +129,10 @@ class DiffDrive(Plugin[DiffDriveParameters]):
         site, given = self.site, self.parameters
         prefix = tf_prefix(site) or site.robot_namespace
         if given.publish_wheel_joint_state:
-            self._wheels.append(WheelStates(site, self._right, self._left))
+            joints = [self._right.joint, self._left.joint]
+            self._wheels.append(
+                JointStateTopic(site, site.resolve(TOPIC), joints, with_velocities=False)
+            )
             self._say("Advertise joint_states")
         if given.publish_wheel_tf:
             self._wheels.insert(0, WheelTransforms(site, prefix, self._right, self._left))
@@ -155,9 +159,11 @@ class DiffDrive(Plugin[DiffDriveParameters]):
     def _report(self) -> None:
         if self._odometry is not None:
             encoder = self._encoder
-            self._odometry.say(world_motion(self.site.model) if encoder is None else encoder.motion)
+            self._odometry.publish(
+                world_motion(self.site.model) if encoder is None else encoder.motion
+            )
         for report in self._wheels:
-            report.say()
+            report.publish()
 
     def _count(self, encoder: EncoderOdometry) -> None:
         left, right = self._rolled

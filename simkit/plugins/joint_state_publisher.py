@@ -5,14 +5,13 @@ Source: gazebo_ros_joint_state_publisher of ROS Melodic and Noetic.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import ClassVar
+from collections.abc import Iterable, Sequence
+from typing import Any, ClassVar
 
 from simkit.errors import near_names
 from simkit.msgs import message_class
 from simkit.physics import ModelJoint
 from simkit.plugins.errors import PluginError
-from simkit.plugins.messages import joint_state_message
 from simkit.plugins.parameters import place
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.rate import UpdateRate
@@ -22,6 +21,44 @@ from simkit.plugins.tags import JointStatePublisherParameters
 
 TOPIC = "joint_states"
 """In the namespace of the robot."""
+
+
+class JointStateTopic:
+    """Publishes where joints stand, without efforts.
+
+    Args:
+        site: Where the plugin works.
+        topic: Global name of the topic.
+        joints: The joints, in the order of the message.
+        with_velocities: Whether it says how fast they move.
+    """
+
+    def __init__(
+        self, site: Site, topic: str, joints: Sequence[ModelJoint], *, with_velocities: bool
+    ) -> None:
+        self._now = site.node.now
+        self._joints = joints
+        self._with_velocities = with_velocities
+        self._publisher = site.node.advertise(topic, message_class("sensor_msgs/JointState"))
+        self._message: Any = self._publisher.message_class()
+        self._message.name = [joint.name for joint in joints]
+
+    def publish(self) -> None:
+        """Publish where they stand now."""
+        stamp, positions = self._now(), [joint.position for joint in self._joints]
+        moving = self._joints if self._with_velocities else ()
+        velocities = [joint.velocity for joint in moving]
+
+        def message() -> Any:
+            self._message.header.stamp = stamp
+            self._message.position, self._message.velocity = positions, velocities
+            return self._message
+
+        self._publisher.offer(message)
+
+    def close(self) -> None:
+        """Withdraw."""
+        self._publisher.unregister()
 
 
 class GazeboJointStatePublisher(Plugin[JointStatePublisherParameters]):
@@ -57,7 +94,7 @@ class GazeboJointStatePublisher(Plugin[JointStatePublisherParameters]):
         site = self.site
         for joint in self._joints:
             site.node.info(f"GazeboRosJointStatePublisher is going to publish joint: {joint.name}")
-        self._publisher = site.node.advertise(self._topic, message_class("sensor_msgs/JointState"))
+        self._states = JointStateTopic(site, self._topic, self._joints, with_velocities=True)
         self._begin()
 
     @property
@@ -68,8 +105,7 @@ class GazeboJointStatePublisher(Plugin[JointStatePublisherParameters]):
     def after_step(self) -> None:
         """Publish, if it is time."""
         if self._rate.is_due(self.site.now_ns):
-            now = self.site.node.now()
-            self._publisher.publish(joint_state_message(self._joints, now, with_velocities=True))
+            self._states.publish()
 
     def on_reset(self) -> None:
         """Count its period anew."""
@@ -77,7 +113,7 @@ class GazeboJointStatePublisher(Plugin[JointStatePublisherParameters]):
 
     def on_detach(self) -> None:
         """Withdraw."""
-        self._publisher.unregister()
+        self._states.close()
 
     def _begin(self) -> None:
         self._rate = UpdateRate(self.parameters.update_rate, self.site.now_ns)

@@ -52,7 +52,7 @@ class Laser(Plugin[LaserParameters]):
         self._rate = SensorRate(self.sensor.update_rate, site.now_ns)
         noise = self.ray.noise
         self._noise = None if noise is None else Noise(noise, site.seed("laser", self.sensor.name))
-        self._scan: Any = message_class("sensor_msgs/LaserScan")
+        self._scan = self._new_scan()
         self._publisher: Any = None
 
     @property
@@ -67,7 +67,7 @@ class Laser(Plugin[LaserParameters]):
                 self.site.node.info(f"Laser plugin missing <{name}>, defaults to {LASER_DEFAULT}")
         if self.parameters.topic:
             topic = topic_of(self.site, "topicName", self.parameters.topic)
-            self._publisher = self.site.node.advertise(topic, self._scan, queue_size=1)
+            self._publisher = self.site.node.advertise(topic, type(self._scan), queue_size=1)
 
     @property
     def due_ns(self) -> int:
@@ -96,7 +96,7 @@ class Laser(Plugin[LaserParameters]):
         seen = (targets != MISS) & (ranges < self.ray.far)
         points = np.full_like(ways, np.nan)
         points[seen] = origin + ways[seen] * ranges[seen][:, None]
-        return Sight(points, self._masked(ranges), np.where(seen, targets, MISS))
+        return Sight(points, self._masked(ranges, ranges), np.where(seen, targets, MISS))
 
     @property
     def _has_listener(self) -> bool:
@@ -106,15 +106,24 @@ class Laser(Plugin[LaserParameters]):
         """Where beams come from, where they go, how far they get from there, and what they hit."""
         pose = sensor_pose(self.site, self.sensor)
         ways = (np.array(pose.matrix) @ self._fan).T
-        origin, near = np.array(pose.translation), self.ray.near
+        near = self.ray.near
         reach = max(near, self.ray.far)
-        hits = self.site.world.cast_rays(origin, ways, reach=reach, start=near)
-        return origin, ways, np.minimum(hits.distances, reach), hits.targets
+        hits = self.site.world.cast_rays(pose.translation, ways, reach=reach, start=near)
+        return np.array(pose.translation), ways, np.minimum(hits.distances, reach), hits.targets
 
-    def _masked(self, ranges: Floats) -> Floats:
-        """Ranges as REP 117 wants them."""
+    def _masked(self, ranges: Floats, measured: Floats) -> Floats:
+        """What is measured of ranges, as REP 117 wants it."""
         far, near = self.ray.far, self.ray.near
-        return np.where(ranges >= far, np.inf, np.where(ranges <= near, -np.inf, ranges))
+        return np.where(ranges >= far, np.inf, np.where(ranges <= near, -np.inf, measured))
+
+    def _new_scan(self) -> Any:
+        """The message with all that stays as it is."""
+        message: Any = message_class("sensor_msgs/LaserScan")()
+        message.header.frame_id = self.frame
+        message.angle_min, message.angle_max = self.ray.flat.min_angle, self.ray.flat.max_angle
+        message.angle_increment = self.ray.flat.step
+        message.range_min, message.range_max = self.ray.near, self.ray.far
+        return message
 
     def _message(self) -> Any:
         _, _, ranges, targets = self._cast()
@@ -122,17 +131,12 @@ class Laser(Plugin[LaserParameters]):
         if self.ray.is_resampled:
             ranges = resampled(self.ray, ranges, blend=True)
             intensities = resampled(self.ray, intensities, blend=False)
-        masked = self._masked(ranges)
+        noisy = ranges
         if self._noise is not None:
-            within = np.clip(self._noise.apply(ranges), self.ray.near, self.ray.far)
-            masked = np.where(np.isfinite(masked), within, masked)
-        message = self._scan()
+            noisy = np.clip(self._noise.apply(ranges), self.ray.near, self.ray.far)
+        message = self._scan
         message.header.stamp = Time.from_nsec(self.site.now_ns)
-        message.header.frame_id = self.frame
-        message.angle_min, message.angle_max = self.ray.flat.min_angle, self.ray.flat.max_angle
-        message.angle_increment = self.ray.flat.step
-        message.range_min, message.range_max = self.ray.near, self.ray.far
-        message.ranges = masked.astype(np.float32)
+        message.ranges = self._masked(ranges, noisy).astype(np.float32)
         message.intensities = intensities.astype(np.float32)
         return message
 

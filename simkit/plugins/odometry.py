@@ -63,28 +63,30 @@ class OdometryPublisher:
     ) -> None:
         node = site.node
         self._now = node.now
-        self._frames = frames
-        self._covariances = covariances
+        self._message = odometry_message(frames, covariances)
+        self._transform = transform_message(frames)
         self._odometry = node.advertise(topic, message_class("nav_msgs/Odometry"))
         self._tf = node.advertise("/tf", message_class("tf2_msgs/TFMessage")) if on_tf else None
 
-    def say(self, motion: BaseMotion, *, has_height: bool = True) -> None:
+    def publish(self, motion: BaseMotion, *, has_height: bool = True) -> None:
         """Publish.
 
         Args:
             motion: How it moves now.
-            has_height: Whether the message tells its height; /tf does at any rate.
+            has_height: Whether the message says its height; /tf does at any rate.
         """
         stamp = self._now()
         if self._tf is not None:
-            moved = transform_message(motion.pose, self._frames, stamp)
-            self._tf.publish(self._tf.message_class([moved]))
-        message = odometry_message(motion, self._frames, stamp)
-        message.pose.covariance = self._covariances.pose
-        message.twist.covariance = self._covariances.twist
-        if not has_height:
-            message.pose.pose.position.z = 0.0
-        self._odometry.publish(message)
+            set_transform(self._transform, motion.pose, stamp)
+            self._tf.publish(self._tf.message_class([self._transform]))
+
+        def message() -> Any:
+            set_motion(self._message, motion, stamp)
+            if not has_height:
+                self._message.pose.pose.position.z = 0.0
+            return self._message
+
+        self._odometry.offer(message)
 
     def close(self) -> None:
         """Withdraw from the topics."""
@@ -106,41 +108,56 @@ def world_motion(model: Model) -> BaseMotion:
     return BaseMotion(pose=pose, linear=(cos * vx + sin * vy, cos * vy - sin * vx), turning=turning)
 
 
-def odometry_message(motion: BaseMotion, frames: Frames, stamp: Time) -> Any:
-    """A `nav_msgs/Odometry` without covariances."""
+def odometry_message(frames: Frames, covariances: Covariances) -> Any:
+    """A `nav_msgs/Odometry` that waits for `set_motion`."""
     message: Any = message_class("nav_msgs/Odometry")()
-    message.header.stamp = stamp
     message.header.frame_id = frames.parent
     message.child_frame_id = frames.child
-    position, q = message.pose.pose.position, message.pose.pose.orientation
-    position.x, position.y, position.z = motion.pose.translation
-    q.x, q.y, q.z, q.w = motion.pose.rotation
+    message.pose.covariance = covariances.pose
+    message.twist.covariance = covariances.twist
+    return message
+
+
+def set_motion(message: Any, motion: BaseMotion, stamp: Time) -> None:
+    """Write a motion into a message of odometry."""
+    message.header.stamp = stamp
+    set_pose(message.pose.pose, motion.pose)
     twist = message.twist.twist
     twist.linear.x, twist.linear.y = motion.linear
     twist.angular.z = motion.turning
+
+
+def transform_message(frames: Frames) -> Any:
+    """A `geometry_msgs/TransformStamped` of T_parent_child that waits for `set_transform`."""
+    message: Any = message_class("geometry_msgs/TransformStamped")()
+    message.header.frame_id = frames.parent
+    message.child_frame_id = frames.child
     return message
+
+
+def set_transform(message: Any, pose: Transform, stamp: Time) -> None:
+    """Write a pose into a message of a transform."""
+    message.header.stamp = stamp
+    t, q = message.transform.translation, message.transform.rotation
+    t.x, t.y, t.z = pose.translation
+    q.x, q.y, q.z, q.w = pose.rotation
+
+
+def set_pose(message: Any, pose: Transform) -> None:
+    """Write a pose into a `geometry_msgs/Pose`."""
+    position, q = message.position, message.orientation
+    position.x, position.y, position.z = pose.translation
+    q.x, q.y, q.z, q.w = pose.rotation
 
 
 def planar_covariance(x: float, y: float, yaw: float) -> list[float]:
     """The 36 numbers of a covariance of which x, y [m^2] and yaw [rad^2] are known."""
-    return diagonal((x, y, UNKNOWN, UNKNOWN, UNKNOWN, yaw))
+    return diagonal_covariance((x, y, UNKNOWN, UNKNOWN, UNKNOWN, yaw))
 
 
-def diagonal(variances: tuple[float, float, float, float, float, float]) -> list[float]:
+def diagonal_covariance(variances: tuple[float, float, float, float, float, float]) -> list[float]:
     """The 36 numbers of a covariance in which nothing goes with anything else."""
     return [variances[i] if i == j else 0.0 for i in range(6) for j in range(6)]
-
-
-def transform_message(pose: Transform, frames: Frames, stamp: Time) -> Any:
-    """A `geometry_msgs/TransformStamped` of T_parent_child."""
-    message: Any = message_class("geometry_msgs/TransformStamped")()
-    message.header.stamp = stamp
-    message.header.frame_id = frames.parent
-    message.child_frame_id = frames.child
-    t, q = message.transform.translation, message.transform.rotation
-    t.x, t.y, t.z = pose.translation
-    q.x, q.y, q.z, q.w = pose.rotation
-    return message
 
 
 class EncoderOdometry:

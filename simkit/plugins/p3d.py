@@ -13,7 +13,13 @@ from simkit.geometry import Transform, Vector, conjugate, multiply, rotate
 from simkit.msgs import message_class
 from simkit.plugins.errors import PluginError
 from simkit.plugins.noise import generator
-from simkit.plugins.odometry import diagonal
+from simkit.plugins.odometry import (
+    Covariances,
+    Frames,
+    diagonal_covariance,
+    odometry_message,
+    set_pose,
+)
 from simkit.plugins.parameters import place
 from simkit.plugins.plugin import NEVER, Plugin
 from simkit.plugins.site import Site
@@ -51,13 +57,18 @@ class P3d(Plugin[P3dParameters]):
             read_turn(site, "rpyOffset", parameters.rpy_offset),
         )
         self._last_ns = site.now_ns
-        self._covariance = diagonal((parameters.gaussian_noise**2,) * 6)
+        self._covariance = diagonal_covariance((parameters.gaussian_noise**2,) * 6)
         self._period_ns = round(1e9 / parameters.update_rate) if parameters.update_rate else 0
 
     def on_attach(self) -> None:
         """Advertise."""
         site = self.site
-        self._frame = resolve_frame(self.parameters.frame_name, tf_prefix(site))
+        self._message = odometry_message(
+            Frames(
+                parent=resolve_frame(self.parameters.frame_name, tf_prefix(site)), child=self._body
+            ),
+            Covariances(pose=self._covariance, twist=self._covariance),
+        )
         self._publisher = site.node.advertise(self._topic, message_class("nav_msgs/Odometry"))
         self._begin()
 
@@ -70,7 +81,7 @@ class P3d(Plugin[P3dParameters]):
         """Publish, if it is time and somebody listens."""
         now = self.site.now_ns
         if now - self._last_ns >= self._period_ns and self._publisher.num_connections:
-            self._publisher.publish(self._message())
+            self._publisher.publish(self._measured())
             self._last_ns = now
 
     def on_reset(self) -> None:
@@ -99,19 +110,14 @@ class P3d(Plugin[P3dParameters]):
             f"{hint} Links of {self.site.model.name}: {', '.join(known) or 'none'}."
         )
 
-    def _message(self) -> Any:
-        message: Any = message_class("nav_msgs/Odometry")()
+    def _measured(self) -> Any:
+        message = self._message
         message.header.stamp = self.site.node.now()
-        message.header.frame_id = self._frame
-        message.child_frame_id = self._body
         pose, linear, angular = self._seen()
-        position, q = message.pose.pose.position, message.pose.pose.orientation
-        position.x, position.y, position.z = pose.translation
-        q.x, q.y, q.z, q.w = pose.rotation
+        set_pose(message.pose.pose, pose)
         twist = message.twist.twist
         twist.linear.x, twist.linear.y, twist.linear.z = self._noisy(linear)
         twist.angular.x, twist.angular.y, twist.angular.z = self._noisy(angular)
-        message.pose.covariance = message.twist.covariance = self._covariance
         return message
 
     def _seen(self) -> tuple[Transform, Vector, Vector]:

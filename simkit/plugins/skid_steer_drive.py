@@ -86,7 +86,7 @@ class SkidSteerDrive(Plugin[SkidSteerDriveParameters]):
     def after_step(self) -> None:
         """If it is time, report and obey."""
         if self._rate.is_due(self.site.now_ns):
-            self._odometry.say(world_motion(self.site.model), has_height=False)
+            self._odometry.publish(world_motion(self.site.model), has_height=False)
             self._drive(*self._commands.rim_speeds(self.parameters.wheel_separation))
 
     def on_reset(self) -> None:

@@ -6,11 +6,9 @@ import math
 from typing import Any
 
 from simkit.errors import near_names
-from simkit.msgs import Time, message_class
-from simkit.physics import ModelJoint
+from simkit.msgs import message_class
 from simkit.plugins.errors import PluginError
-from simkit.plugins.messages import joint_state_message
-from simkit.plugins.odometry import Frames, transform_message
+from simkit.plugins.odometry import Frames, set_transform, transform_message
 from simkit.plugins.parameters import place
 from simkit.plugins.site import Site
 from simkit.plugins.tag_values import resolve_frame
@@ -167,31 +165,6 @@ class SpeedRamp:
         self._told = (0.0, 0.0)
 
 
-class WheelStates:
-    """Tells on `joint_states` how far wheels have turned.
-
-    Args:
-        site: Where the plugin works.
-        *wheels: The wheels, in the order of the message.
-    """
-
-    def __init__(self, site: Site, *wheels: MotorWheel) -> None:
-        self._now = site.node.now
-        self._joints = [wheel.joint for wheel in wheels]
-        self._publisher = site.node.advertise(
-            site.resolve("joint_states"), message_class("sensor_msgs/JointState")
-        )
-
-    def say(self) -> None:
-        """Publish."""
-        message = joint_state_message(self._joints, self._now(), with_velocities=False)
-        self._publisher.publish(message)
-
-    def close(self) -> None:
-        """Withdraw."""
-        self._publisher.unregister()
-
-
 class WheelTransforms:
     """Tells on /tf where wheels are.
 
@@ -206,26 +179,26 @@ class WheelTransforms:
 
     def __init__(self, site: Site, prefix: str, *wheels: MotorWheel) -> None:
         self._site = site
-        self._prefix = prefix
         self._joints = [wheel.joint for wheel in wheels]
         self._publisher = site.node.advertise("/tf", message_class("tf2_msgs/TFMessage"))
+        self._messages = [
+            transform_message(
+                Frames(
+                    parent=resolve_frame(joint.plan.parent or "world", prefix),
+                    child=resolve_frame(joint.plan.child, prefix),
+                )
+            )
+            for joint in self._joints
+        ]
 
-    def say(self) -> None:
+    def publish(self) -> None:
         """Publish a message a wheel."""
-        stamp = self._site.node.now()
-        for joint in self._joints:
-            moved = self._transform(joint, stamp)
-            self._publisher.publish(self._publisher.message_class([moved]))
+        stamp, model = self._site.node.now(), self._site.model
+        for joint, message in zip(self._joints, self._messages, strict=True):
+            pose = model.pose.inverse() @ model.link_pose(joint.plan.child)
+            set_transform(message, pose, stamp)
+            self._publisher.publish(self._publisher.message_class([message]))
 
     def close(self) -> None:
         """Withdraw."""
         self._publisher.unregister()
-
-    def _transform(self, joint: ModelJoint, stamp: Time) -> Any:
-        plan, model = joint.plan, self._site.model
-        frames = Frames(
-            parent=resolve_frame(plan.parent or "world", self._prefix),
-            child=resolve_frame(plan.child, self._prefix),
-        )
-        pose = model.pose.inverse() @ model.link_pose(plan.child)
-        return transform_message(pose, frames, stamp)

@@ -203,6 +203,36 @@ def test_stamped_messages_are_numbered_by_their_publisher(world):
     assert numbers == [1, 2, 1, 2]
 
 
+def test_a_message_that_is_offered_is_made_when_somebody_wants_it(world):
+    stamped, made = message_class("geometry_msgs/PointStamped"), []
+    publisher = world.node.advertise("/points", stamped)
+
+    def offer(x):
+        def make():
+            made.append(x)
+            message = stamped()
+            message.point.x = x
+            return message
+
+        publisher.offer(make)
+
+    offer(1.0)
+    offer(2.0)
+    assert made == []
+    topic = world.graph.topics["/points"]
+    for _ in range(2):
+        last = stamped.from_bytes(topic.last)
+        assert (last.point.x, last.header.seq, made) == (2.0, 2, [2.0])
+    heard = []
+    world.node.subscribe("/points", stamped, heard.append)
+    offer(3.0)
+    world.run()
+    assert [(one.point.x, one.header.seq) for one in heard] == [(3.0, 3)]
+    publisher.unregister()
+    with pytest.raises(GraphError, match="closed"):
+        offer(4.0)
+
+
 def test_connections_are_counted_on_both_ends(world):
     publisher = world.node.advertise("/numbers", world.int32)
     assert publisher.num_connections == 0

@@ -18,7 +18,18 @@ BEAMS = 720
 
 
 def cast(origins, directions, targets, reach) -> Hits:
-    return cast_at(origins, directions, targets=targets, reach=reach)
+    if np.ndim(origins) == 1:
+        return cast_at(tuple(origins), directions, targets=targets, reach=reach)
+    found = [
+        cast(origin, way[None], targets, reach)
+        for origin, way in zip(origins, directions, strict=True)
+    ]
+    return Hits(
+        *(
+            np.concatenate([getattr(one, name) for one in found])
+            for name in ("distances", "targets")
+        )
+    )
 
 
 def fan(count: int = BEAMS, width: float = math.pi) -> np.ndarray:
@@ -27,7 +38,9 @@ def fan(count: int = BEAMS, width: float = math.pi) -> np.ndarray:
 
 
 def target(shape, origin=(0.0, 0.0, 0.0), rpy=(0.0, 0.0, 0.0)) -> Target:
-    return Target(shape, np.array(matrix_from_rpy(rpy)), np.array(origin), ball_around(shape))
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = matrix_from_rpy(rpy), origin
+    return Target.at(shape, ball_around(shape), matrix)
 
 
 def depth(shape, points: np.ndarray) -> np.ndarray:

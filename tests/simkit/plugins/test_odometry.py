@@ -11,11 +11,14 @@ from simkit.msgs import Time
 from simkit.plugins.odometry import (
     UNKNOWN,
     BaseMotion,
+    Covariances,
     EncoderOdometry,
     Frames,
-    diagonal,
+    diagonal_covariance,
     odometry_message,
     planar_covariance,
+    set_motion,
+    set_transform,
     transform_message,
     world_motion,
 )
@@ -25,7 +28,7 @@ POSE = Transform((1.0, 2.0, 3.0), (0.0, 0.0, 0.6, 0.8))
 
 
 def test_a_covariance_has_its_variances_in_the_diagonal():
-    numbers = diagonal((1.0, 2.0, 3.0, 4.0, 5.0, 6.0))
+    numbers = diagonal_covariance((1.0, 2.0, 3.0, 4.0, 5.0, 6.0))
     assert len(numbers) == 36
     assert [numbers[i] for i in (0, 7, 14, 21, 28, 35)] == [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
     assert sum(numbers) == 21.0
@@ -38,7 +41,9 @@ def test_of_a_robot_on_wheels_three_of_six_are_known():
 
 def test_a_message_of_odometry_holds_pose_and_plane_motion():
     motion = BaseMotion(pose=POSE, linear=(0.1, 0.2), turning=0.3)
-    message = odometry_message(motion, FRAMES, Time(5))
+    message = odometry_message(FRAMES, Covariances(pose=[1.0] * 36, twist=[2.0] * 36))
+    set_motion(message, motion, Time(5))
+    assert (message.pose.covariance[0], message.twist.covariance[0]) == (1.0, 2.0)
     assert (message.header.frame_id, message.child_frame_id) == ("odom", "base")
     assert message.header.stamp == Time(5)
     p, q, twist = message.pose.pose.position, message.pose.pose.orientation, message.twist.twist
@@ -48,7 +53,8 @@ def test_a_message_of_odometry_holds_pose_and_plane_motion():
 
 
 def test_a_transform_holds_the_same_pose():
-    message = transform_message(POSE, FRAMES, Time(5))
+    message = transform_message(FRAMES)
+    set_transform(message, POSE, Time(5))
     t, q = message.transform.translation, message.transform.rotation
     assert ((t.x, t.y, t.z), (q.x, q.y, q.z, q.w)) == POSE
     assert (message.header.frame_id, message.child_frame_id) == ("odom", "base")
