@@ -6,12 +6,13 @@
 
 from simkit.diagnostics.diagnostic import Diagnostic, Related, Severity, in_order
 from simkit.diagnostics.show import Layout, as_json, as_text, summary
-from simkit.diagnostics.table import Find, Rule, rule
+from simkit.diagnostics.table import Find, Part, Rule, rule
 
 __all__ = [
     "Diagnostic",
     "Find",
     "Layout",
+    "Part",
     "Related",
     "Rule",
     "Severity",

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from inspect import cleandoc
-from typing import Any, Protocol, TypeAlias
+from typing import Any, NamedTuple, Protocol, TypeAlias
 
 from simkit.diagnostics.diagnostic import Diagnostic, Related, Severity
 from simkit.xml import Attribute, Element, Span
@@ -27,7 +27,17 @@ RETIRED: frozenset[str] = frozenset(
 )
 """Group and number of rules that there are no more: a number is never used again."""
 
-At: TypeAlias = Element | Attribute | Span
+
+class Part(NamedTuple):
+    """A part of an element; the element itself if it has none such."""
+
+    element: Element
+    """The element."""
+    attribute: str = ""
+    """Name of the attribute that is meant; empty: its text."""
+
+
+At: TypeAlias = Element | Part | Attribute | Span
 """Something in a file: an element stands for its name, an attribute for its value."""
 Explorer: TypeAlias = Callable[[Any], Iterable["Find"]]
 """A generator that looks for one kind of fault."""
@@ -86,6 +96,8 @@ class Find:
     @property
     def about(self) -> Element | None:
         """The element that it is about; None if there is none."""
+        if isinstance(self.at, Part):
+            return self.at.element
         return self.at if isinstance(self.at, Element) else self.element
 
 
@@ -197,6 +209,9 @@ def in_table_order(rules: Iterable[Rule]) -> tuple[Rule, ...]:
 
 def place(at: At) -> Span:
     """The place of something: of an element its name, of an attribute its value."""
+    if isinstance(at, Part):
+        element = at.element
+        return element.span_of(at.attribute) if at.attribute else element.text_span or element.span
     if isinstance(at, Span):
         return at
     return at.value_span if isinstance(at, Attribute) else at.span

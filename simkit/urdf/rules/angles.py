@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.rules.entries import JointEntry, OriginEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.wording import called, number_text, numbers_text, part_of, short
@@ -68,8 +68,7 @@ def _in_limits(joint: JointEntry) -> Iterator[Find]:
     largest = max(abs(values[name]) for name in bad)
     written = " ".join(f'{name}="{number_text(values[name])}"' for name in bad)
     yield Find(
-        limit.element.attribute(bad[0]) or limit.element,
-        element=limit.element,
+        Part(limit.element, bad[0]),
         what=f"{called(joint.element)} has {written}: {number_text(largest)} rad is {_turns(largest)} turns, so this looks "
         "like degrees",
         remedy=f"Angles are in radians: write {_mended(values)}.",
@@ -94,8 +93,7 @@ def _in_origin(origin: OriginEntry) -> Iterator[Find]:
         mended = " ".join(_radians(angle) for angle in origin.rpy)
         off = number_text(round(math.degrees(math.remainder(bad[0], 2 * math.pi)), 1))
         yield Find(
-            origin.element.attribute("rpy") or origin.element,
-            element=origin.element,
+            Part(origin.element, "rpy"),
             what=f"rpy {numbers_text(origin.rpy)!r} of {part_of(origin.element)} is more than a turn in radians, so this "
             "looks like degrees",
             remedy=f'Angles are in radians: write rpy="{mended}".',
@@ -148,8 +146,7 @@ def rounded_angle(sheet: Sheet) -> Iterator[Find]:
     if element is None:
         return
     yield Find(
-        element.attribute("rpy") or element,
-        element=element,
+        Part(element, "rpy"),
         what=f"{value:g} misses {math.degrees(right):.0f}° by {short(abs(math.degrees(value - right)))}°{more}",
         remedy=f"Write {right:.6f} if a right angle is meant; mostly it does not matter.",
     )

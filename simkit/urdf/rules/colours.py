@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.model import Rgba
 from simkit.urdf.rules.bodies import mass_of
 from simkit.urdf.rules.entries import LinkEntry
@@ -108,8 +108,7 @@ def _unknown(sheet: Sheet, element: Element) -> Iterator[Find]:
     if not near:
         return
     yield Find(
-        element.text_span or element,
-        element=element,
+        Part(element),
         what=f"Gazebo has no material {quoted(name)}",
         here="simkit takes the colour of the URDF.",
         gazebo="Gazebo shows the link in its default colour.",
@@ -124,9 +123,8 @@ def _differs(link: LinkEntry, rgba: Rgba, element: Element) -> Iterator[Find]:
     material = link.visuals[0].material_element
     near = _nearest(rgba)
     yield Find(
-        element.text_span or element,
+        Part(element),
         severity=Severity.NOTE,
-        element=element,
         what=f"link {quoted(link.name)} has other colours in Gazebo ({name}) and in RViz",
         here="simkit shows the colour of the URDF in rviz, and that of the <gazebo> block in the world.",
         gazebo="Gazebo reads only <gazebo><material>, RViz only the <material> of the visual.",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.rules.parts import missing_attributes
 from simkit.urdf.rules.sheet import Sheet, is_for_xacro
 from simkit.urdf.rules.vocabulary import in_context
@@ -190,13 +190,12 @@ def bad_version(sheet: Sheet) -> Iterator[Find]:
 
         <robot name="my_robot">
     """
-    version = None if sheet.robot is None else sheet.robot.attribute("version")
-    if version is None or _is_known(version.value):
+    version = None if sheet.robot is None else sheet.robot.get("version")
+    if sheet.robot is None or version is None or _is_known(version):
         return
     yield Find(
-        version,
-        element=sheet.robot,
-        what=f"version {shown(version.value)!r} of URDF does not exist",
+        Part(sheet.robot, "version"),
+        what=f"version {shown(version)!r} of URDF does not exist",
         loss=REFUSED,
     )
 
@@ -276,8 +275,6 @@ def stray_text(sheet: Sheet) -> Iterator[Find]:
           <box size="1 1 1"/>
         </geometry>
     """
-    if sheet.robot is None:
-        return
     for element, word in in_context(sheet.robot):
         text = element.text.strip()
         if not text or element.text_span is None or missing_attributes(element, word):
@@ -285,8 +282,7 @@ def stray_text(sheet: Sheet) -> Iterator[Find]:
         is_tag = text == ">"
         where = called(element) if element.parent is None else part_of(element)
         yield Find(
-            element.text_span,
-            element=element,
+            Part(element),
             what=f"the text {shown(text)!r} in {where} says nothing to URDF",
             remedy="Take the second > out."
             if is_tag

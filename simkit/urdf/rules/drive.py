@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.rules.bodies import lumps, mass_of, standing_shapes, zero_pose
 from simkit.urdf.rules.drive_facts import Drive, Wheel, drives, middle_of
 from simkit.urdf.rules.entries import BodyEntry, LinkEntry
@@ -52,9 +52,8 @@ def wheels_on_wrong_side(sheet: Sheet) -> Iterator[Find]:
             continue
         severity, wheel, what, remedy = found
         yield Find(
-            wheel.element.text_span or wheel.element,
+            Part(wheel.element),
             severity=severity,
-            element=wheel.element,
             what=what,
             remedy=remedy,
             related=[(wheel.joint.origin.element or wheel.joint.element, "this joint")],

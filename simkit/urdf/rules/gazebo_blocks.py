@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.rules.bodies import mass_of, parents_by_fixed_joint
 from simkit.urdf.rules.entries import GazeboEntry
 from simkit.urdf.rules.sheet import Sheet
@@ -60,8 +60,7 @@ def dangling_reference(sheet: Sheet) -> Iterator[Find]:
         lost = [one for one in block.element.walk() if one.name in ("sensor", "plugin")]
         parts = " and ".join(f"the {one.name} {quoted(one.get('name'))}" for one in lost[:3])
         yield Find(
-            block.element.attribute("reference") or block.element, severity=Severity.ERROR if lost else Severity.WARNING,
-            element=block.element,
+            Part(block.element, "reference"), severity=Severity.ERROR if lost else Severity.WARNING,
             what=f"there is no link or joint {quoted(name)}" + (f"; lost with it: {parts}" if lost else ""),
 
             gazebo=_SILENT,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.geometry import IDENTITY_MATRIX, Matrix
 from simkit.urdf.inertia import (
     ROUNDED,
@@ -240,8 +240,7 @@ def odd_moment(sheet: Sheet) -> Iterator[Find]:
         for shape, formula, odd in _odd(link, written):
             name, element = _NAMES[odd], link.inertial.inertia_element or link.element
             yield Find(
-                element.attribute(name) or element,
-                element=element,
+                Part(element, name),
                 what=f"the inertia of {called(link.element)} is that of its {_words(shape.shape)}, but for {name}: "
                 f"{short(written[odd][odd])} instead of {short(formula[odd][odd])}",
                 remedy=f"Write {tensor_text(formula)}.",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.geometry import Vector
 from simkit.urdf.rules.entries import JointEntry
 from simkit.urdf.rules.sheet import Sheet
@@ -72,8 +72,7 @@ def _zero(joint: JointEntry) -> Find:
     element = joint.axis_element or joint.element
     has_xyz = element.attribute("xyz") is not None
     return Find(
-        element.attribute("xyz") or element,
-        element=element,
+        Part(element, "xyz"),
         what=f"the axis of {called(joint.element)} "
         + ("is zero: it has no direction" if has_xyz else "has no xyz, and so is zero"),
         remedy='Say which axis is meant, e.g. <axis xyz="0 0 1"/>.',
@@ -87,9 +86,8 @@ def _not_unit(joint: JointEntry, axis: Vector, length: float) -> Find:
     x, y, z = axis
     unit = numbers_text(round(value / length, 6) for value in (x, y, z))
     return Find(
-        element.attribute("xyz") or element,
+        Part(element, "xyz"),
         severity=Severity.NOTE,
-        element=element,
         what=f"the axis of {called(joint.element)} has length {number_text(length)}, not 1",
         remedy=f'Only its direction counts: write xyz="{unit}". To turn the axis, turn the joint: <origin rpy="..."/>.',
         both="It is normalised to length 1.",
@@ -178,9 +176,8 @@ def _unknown(sheet: Sheet, joint: JointEntry, name: str) -> Find:
 def _find(joint: JointEntry, what: str, remedy: str, severity: Severity = Severity.ERROR) -> Find:
     element = joint.mimic_element or joint.element
     return Find(
-        element.attribute("joint") or element,
+        Part(element, "joint"),
         severity=severity,
-        element=element,
         what=f"{called(joint.element)} {what}",
         remedy=remedy,
     )

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
-from simkit.diagnostics import Find, Related, Severity, rule
+from simkit.diagnostics import Find, Part, Related, Severity, rule
 from simkit.diagnostics.table import related
 from simkit.urdf.rules.companions import DESCRIPTION, is_known, launch_files
 from simkit.urdf.rules.sheet import CompanionKind, Sheet
@@ -55,8 +55,7 @@ def description_missing(sheet: Sheet) -> Iterator[Find]:
                 continue
             near = sheet.near(wanted, names)
             yield Find(
-                node.attribute("args") or node,
-                element=node,
+                Part(node, "args"),
                 companion=launch.companion,
                 what=f"node {quoted(node.get('name'))} needs the parameter {quoted(wanted)}, and the launch file does not set it",
                 remedy=f"Did you mean {' or '.join(map(quoted, near))}? The names must be the same."
@@ -100,8 +99,7 @@ def other_description(sheet: Sheet) -> Iterator[Find]:
             if not loaded or own in loaded or own.removesuffix(".urdf") + ".urdf.xacro" in loaded:
                 continue
             yield Find(
-                parameter.attribute("textfile") or parameter.attribute("command") or parameter,
-                element=parameter,
+                Part(parameter, "command" if parameter.get("textfile") is None else "textfile"),
                 companion=launch.companion,
                 what=f"the launch file loads {quoted(loaded[0])}, not {quoted(own)}",
 
@@ -141,9 +139,8 @@ def description_command(sheet: Sheet) -> Iterator[Find]:
                 continue
             is_old = program == "xacro.py"
             yield Find(
-                command,
+                Part(parameter, "command"),
                 severity=Severity.ERROR if is_old else Severity.WARNING,
-                element=parameter,
                 companion=launch.companion,
                 what=f"the command {quoted(program)} "
                 + ("is gone: it is called xacro now" if is_old else "is neither cat nor xacro"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.rules.entries import JointEntry, LimitEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.vocabulary import JOINT_TYPES, nearest
@@ -50,8 +50,7 @@ def unknown_type(sheet: Sheet) -> Iterator[Find]:
         if joint.type is None or joint.type in JOINT_TYPES:
             continue
         yield Find(
-            joint.element.attribute("type") or joint.element,
-            element=joint.element,
+            Part(joint.element, "type"),
             what=f"{called(joint.element)} has the type {shown(joint.type)!r}, which does not exist",
             remedy=_remedy(joint.type),
             loss=REFUSED,
@@ -98,8 +97,7 @@ def no_limit(sheet: Sheet) -> Iterator[Find]:
         bounds = 'lower="-1.5708" upper="1.5708"' if turns else 'lower="0" upper="0.1"'
         other = ' Or write type="continuous" if it may turn without end.' if turns else ""
         yield Find(
-            joint.element.attribute("type") or joint.element,
-            element=joint.element,
+            Part(joint.element, "type"),
             what=f"{called(joint.element)} is {joint.type} and has no <limit>",
             remedy=f'Add e.g. <limit {bounds} effort="10" velocity="1"/> ({_UNITS[joint.type]}).{other}',
             loss=REFUSED,
@@ -143,8 +141,7 @@ def _unable(joint: JointEntry, limit: LimitEntry, bad: list[str]) -> Find:
     mended = " ".join(f'{name}="{able_to[name]}"' for name in bad)
     able = {"effort": "has no strength", "velocity": "may not move"}
     return Find(
-        limit.element.attribute(bad[0]) or limit.element,
-        element=limit.element,
+        Part(limit.element, bad[0]),
         what=f"{called(joint.element)} has {written}: it {' and '.join(able[name] for name in bad)}",
         remedy=f"0 does not mean unlimited. Write what its motor can do, e.g. {mended}.",
     )
@@ -180,8 +177,7 @@ def lower_above_upper(sheet: Sheet) -> Iterator[Find]:
 def _crossed(joint: JointEntry, limit: LimitEntry, lower: float, upper: float) -> Find:
     low, high = number_text(lower), number_text(upper)
     return Find(
-        limit.element.attribute("lower") or limit.element.attribute("upper") or limit.element,
-        element=limit.element,
+        Part(limit.element, "upper" if limit.element.get("lower") is None else "lower"),
         what=f"{called(joint.element)} has lower {low} above upper {high}",
         remedy=f'Write lower="{high}" upper="{low}", if they are only swapped.',
         here="No position is allowed; a slider of this joint has no room.",
@@ -194,9 +190,8 @@ def _no_room(joint: JointEntry, limit: LimitEntry, at: float) -> Find:
     why = "no lower and upper, so both are 0" if is_default else f"both limits at {number_text(at)}"
     wide = 'lower="-1.5708" upper="1.5708"' if joint.type == "revolute" else 'lower="0" upper="0.1"'
     return Find(
-        limit.element.attribute("lower") or limit.element,
+        Part(limit.element, "lower"),
         severity=Severity.WARNING,
-        element=limit.element,
         what=f"{called(joint.element)} has {why}: it cannot move",
         remedy=f'Give it room, e.g. {wide} ({_UNITS[str(joint.type)]}); or write type="fixed" if it is not to move.',
         both="The joint stays where it is, and gets no slider.",
@@ -233,7 +228,6 @@ def limits_of_a_continuous_joint(sheet: Sheet) -> Iterator[Find]:
         given = [one for one in limit.element.attributes if one.name in ("lower", "upper")]
         if given and (limit.lower or limit.upper):
             yield Find(
-                given[0],
-                element=limit.element,
+                Part(limit.element, given[0].name),
                 what=f"{called(joint.element)} is continuous: its {' and '.join(one.name for one in given)} have no effect",
             )

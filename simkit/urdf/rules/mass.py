@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.placed_shape import volume
 from simkit.urdf.rules.bodies import LIGHTEST, Lump, is_world, lumps, mass_of, solid
 from simkit.urdf.rules.entries import LinkEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.tree_facts import is_whole
 from simkit.urdf.rules.wording import called, inertial_text, listed, quoted, short
-from simkit.xml import Attribute, Element
 
 _SMALL_BODY = (
     '<inertial><mass value="0.1"/>'
@@ -204,8 +203,7 @@ def _density(sheet: Sheet) -> float | None:
 
 def _negative(link: LinkEntry, mass: float) -> Find:
     return Find(
-        _mass_attribute(link),
-        element=_mass_element(link),
+        _mass_value(link),
         what=f"{called(link.element)} has a mass of {short(mass)} kg",
         here="simkit refuses to simulate the robot.",
         gazebo="Newer Gazebo refuses the link (error 18, invalid inertia); in older ones it flies apart.",
@@ -221,9 +219,8 @@ def _zero(sheet: Sheet, link: LinkEntry, lump: Lump | None, density: float | Non
         guess = short(density * sum(volume(one.shape) for one in shapes))
         remedy = f"Write its mass in kilograms: as dense as the other links, its shape weighs {guess} kg."
     return Find(
-        _mass_attribute(link),
+        _mass_value(link),
         severity=Severity.NOTE if is_carried else Severity.WARNING,
-        element=_mass_element(link),
         what=f"{called(link.element)} has no mass that counts: it must be more than {LIGHTEST:g} kg",
         here="simkit gives the link no mass, as Gazebo does.",
         gazebo=_carried(lump)
@@ -233,12 +230,9 @@ def _zero(sheet: Sheet, link: LinkEntry, lump: Lump | None, density: float | Non
     )
 
 
-def _mass_element(link: LinkEntry) -> Element:
-    return link.element if link.inertial is None else link.inertial.mass_element or link.element
-
-
-def _mass_attribute(link: LinkEntry) -> Attribute | Element:
-    return _mass_element(link).attribute("value") or _mass_element(link)
+def _mass_value(link: LinkEntry) -> Part:
+    element = None if link.inertial is None else link.inertial.mass_element
+    return Part(element or link.element, "value")
 
 
 def _and_below(sheet: Sheet, name: str | None) -> str:

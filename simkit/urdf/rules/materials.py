@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.rules.entries import MaterialEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.vocabulary import meant_attribute
@@ -100,8 +100,7 @@ def _undefined(
         what = f"material {quoted(name)} is not defined{times}"
         remedy = f"{meant(sheet.near(name, known))}Or define it in the robot: {color}."
     return Find(
-        _name(material.element),
-        element=material.element,
+        Part(material.element, "name"),
         what=what,
         remedy=remedy,
         here=f"As in ROS, {_GREY}.",
@@ -205,7 +204,3 @@ def _bad(color: Element, written: Attribute | None, what: str, right: str) -> Fi
         remedy=f'Write rgba="{right}": red, green, blue, opacity, each from 0 to 1.',
         both=follows,
     )
-
-
-def _name(element: Element) -> Attribute | Element:
-    return element.attribute("name") or element

@@ -7,7 +7,7 @@ import struct
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.errors import SimkitError
 from simkit.urdf.meshes import MeshFinder
 from simkit.urdf.model import Mesh
@@ -186,9 +186,8 @@ class _Looker:
         severity: Severity = Severity.ERROR,
     ) -> Find:
         return Find(
-            attribute,
+            Part(element, attribute.name),
             severity=severity,
-            element=element,
             what=what,
             remedy=remedy,
             here=_PLACEHOLDER,
@@ -202,9 +201,8 @@ class _Looker:
         elif scheme == "model":
             gazebo = "Only Gazebo knows it; RViz shows nothing."
         return Find(
-            attribute,
+            Part(element, attribute.name),
             severity=Severity.WARNING,
-            element=element,
             what=f"mesh {shown(attribute.value)!r} is named with {scheme}://, which is not read here",
             remedy='Put the file into a package, and write "package://my_robot/meshes/...".',
             here=_PLACEHOLDER,
@@ -214,9 +212,8 @@ class _Looker:
     def _relative(self, element: Element, attribute: Attribute, more: str) -> Find:
         inner = attribute.value.lstrip("./")
         return Find(
-            attribute,
+            Part(element, attribute.name),
             severity=Severity.WARNING,
-            element=element,
             what=f"mesh {shown(attribute.value)!r}{more} is named relative to this file, which ROS does not understand",
             remedy=f'Write "package://my_robot/{shown(inner)}", with the name of your package and the way from its folder.',
             here="The file is found.",

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.rules.entries import JointEntry, LinkEntry, MaterialEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.tree_facts import names_for_spare_links
 from simkit.urdf.rules.vocabulary import meant_attribute
 from simkit.urdf.rules.wording import REFUSED, called, loss, part_of, quoted, shown
-from simkit.xml import Attribute, Element
+from simkit.xml import Element
 
 
 @rule("URDF-E21", "two links, joints or materials of one name", Severity.ERROR)
@@ -37,12 +37,11 @@ def name_twice(sheet: Sheet) -> Iterator[Find]:
         wish = " (a joint asks for that link)" if id(entry) in asked else ""
         word = called(entry.element).partition(" ")[0]
         yield Find(
-            _name(entry.element),
-            element=entry.element,
+            Part(entry.element, "name"),
             what=f"there is a {word} {quoted(entry.name)} already, in line {before.element.span.line}",
             remedy=f'Give this one another name, e.g. name="{shown(other)}"{wish}.',
             loss=REFUSED,
-            related=[(_name(before.element), f"the first {word} of that name")],
+            related=[(Part(before.element, "name"), f"the first {word} of that name")],
         )
 
 
@@ -110,20 +109,17 @@ def _nameless(element: Element, wish: str, *, refuses: bool) -> Find:
     follows = REFUSED if refuses else loss(element)
     here, gazebo = follows.here, follows.gazebo
     severity = follows.severity
-    is_link = called(element).startswith("a link ")
-    if is_link and not refuses:
-        here = gazebo = "The file is accepted, with a link whose name is empty."
-    elif is_link:
-        pass
+    if called(element).startswith("a link "):
+        if not refuses:
+            here = gazebo = "The file is accepted, with a link whose name is empty."
     elif empty is not None:
-        severity, here = Severity.WARNING, "The file is accepted, with an empty name."
-        gazebo = here
+        severity = Severity.WARNING
+        here = gazebo = "The file is accepted, with an empty name."
     whole = "the robot" if element.parent is None else f"a <{shown(element.name)}>"
     where = f" in {part_of(element)}" if element.name == "material" else ""
     return Find(
-        empty or element,
+        Part(element, "name"),
         severity=severity,
-        element=element,
         what=f"{whole}{where} has {'an empty name' if empty is not None else 'no name'}",
         remedy=f"Give it one: {wish}.",
         here=here,
@@ -175,17 +171,12 @@ def _odd(entry: LinkEntry | JointEntry, severity: Severity, what: str, better: s
     elif severity is Severity.NOTE:
         gazebo = "ROS accepts it; newer Gazebos complain that the name is not unique."
     return Find(
-        _name(entry.element),
+        Part(entry.element, "name"),
         severity=severity,
-        element=entry.element,
         what=f"{called(entry.element)} {what}",
         remedy=f'Write name="{shown(better)}", and the same wherever it is named.',
         gazebo=gazebo,
     )
-
-
-def _name(element: Element) -> Attribute | Element:
-    return element.attribute("name") or element
 
 
 _DECLARES = "xmlns:"

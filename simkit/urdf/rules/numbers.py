@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.diagnostics.table import Loss
 from simkit.urdf.model import Box, Cylinder, Geometry, Mesh, Sphere
 from simkit.urdf.rules.entries import BodyEntry, JointEntry
@@ -125,8 +125,7 @@ def _bad(element: Element, attribute: Attribute, count: int, trouble: str) -> Fi
         example = "0 0 1"
     follows = _follows(element)
     return Find(
-        attribute,
-        element=element,
+        Part(element, attribute.name),
         what=f"{attribute.name}={shown(attribute.value)!r} of {part_of(element)} {trouble}",
         remedy=f'Write {attribute.name}="{right}".'
         if right is not None
@@ -211,8 +210,7 @@ def _sizes(shape: Geometry) -> list[tuple[str, str, tuple[float, ...]]]:
 def _negative(element: Element, attribute: Attribute, numbers: tuple[float, ...]) -> Find:
     right = numbers_text(abs(number) for number in numbers)
     return Find(
-        attribute,
-        element=element,
+        Part(element, attribute.name),
         what=f"{attribute.name} {numbers_text(numbers)} in {part_of(element)} is negative",
         remedy=f'Write {attribute.name}="{right}". To move the shape, use <origin xyz="..."/>.',
         here="simkit refuses to simulate the robot.",
@@ -224,9 +222,8 @@ def _zero(element: Element, attribute: Attribute) -> Find:
     right = "0.1 0.1 0.1" if attribute.name == "size" else "0.1"
     right = "1 1 1" if attribute.name == "scale" else right
     return Find(
-        attribute,
+        Part(element, attribute.name),
         severity=Severity.WARNING,
-        element=element,
         what=f"{attribute.name}={attribute.value!r} in {part_of(element)} is zero: the shape has no volume",
         remedy=f'Give it a size, e.g. {attribute.name}="{right}" [m].',
         here="The shape is not seen, and nothing touches it.",
@@ -236,9 +233,8 @@ def _zero(element: Element, attribute: Attribute) -> Find:
 
 def _large(element: Element, attribute: Attribute, size: float) -> Find:
     return Find(
-        attribute,
+        Part(element, attribute.name),
         severity=Severity.NOTE,
-        element=element,
         what=f"{attribute.name} {number_text(size)} in {part_of(element)} is in metres: that is large for a robot",
         remedy=f"If millimetres are meant, write {number_text(size / 1000)}; if centimetres, {number_text(size / 100)}.",
         both="It is taken for metres.",
@@ -247,13 +243,14 @@ def _large(element: Element, attribute: Attribute, size: float) -> Find:
 
 def _of_dynamics(joint: JointEntry) -> Iterator[Find]:
     element = joint.dynamics_element
-    for name in ("damping", "friction") if element is not None else ():
-        attribute = None if element is None else meant_attribute(element, name, "dynamics")
+    if element is None:
+        return
+    for name in ("damping", "friction"):
+        attribute = meant_attribute(element, name, "dynamics")
         value = None if attribute is None else read_number(attribute.value)
         if attribute is not None and value is not None and value < 0.0:
             yield Find(
-                attribute,
-                element=element,
+                Part(element, attribute.name),
                 what=f"{called(joint.element)} has {name} {number_text(value)}: below zero it drives the joint",
                 remedy=f'Write {name}="{number_text(-value)}".',
                 here="With physics the joint gains speed by itself.",

@@ -123,8 +123,6 @@ def attribute_missing(sheet: Sheet) -> Iterator[Find]:
         <mass value="1.0"/>
         <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/>
     """
-    if sheet.robot is None:
-        return
     for element, word in in_context(sheet.robot):
         missing = missing_attributes(element, word)
         if missing:
@@ -252,8 +250,6 @@ def repeated_part(sheet: Sheet) -> Iterator[Find]:
           <geometry><sphere radius="0.1"/></geometry>
         </visual>
     """
-    if sheet.robot is None:
-        return
     for element, word in in_context(sheet.robot):
         for name, found in meant_children(element, word).items():
             if len(found) > 1 and name not in WORDS[word].many:

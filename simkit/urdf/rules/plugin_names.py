@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.plugins.registry import plugins
 from simkit.plugins.tags import Names, tags_of
 from simkit.urdf.rules.bodies import parents_by_fixed_joint
@@ -92,8 +92,7 @@ def _no_joint(
     if element is None:
         remedy = f"Add <{name}>...</{name}>. {known_names('joints that move', moving)}"
     return Find(
-        plugin.element if element is None else element.text_span or element,
-        element=element or plugin.element,
+        plugin.element if element is None else Part(element),
         what=what,
         here="simkit refuses to start the plugin.",
         gazebo="The plugin does not load: couldn't get wheel hinge joint.",
@@ -105,8 +104,7 @@ def _no_joint(
 def _no_link(sheet: Sheet, plugin: PluginElement, name: str, value: str) -> Find:
     element = plugin.parameter(name)
     return Find(
-        plugin.element if element is None else element.text_span or element,
-        element=element or plugin.element,
+        plugin.element if element is None else Part(element),
         what=f"<{name}> names {quoted(value)}, and there is no such link",
         here="simkit refuses to start the plugin.",
         gazebo="The plugin stops: the body does not exist.",
@@ -123,9 +121,8 @@ def _lumped_link(element: Element, value: str, lumped: dict[str, str]) -> Find:
             break
         leader = lumped[leader]
     return Find(
-        element.text_span or element,
+        Part(element),
         severity=Severity.NOTE,
-        element=element,
         what=f"<{element.name}> names {quoted(value)}, a link on a fixed joint",
         here="simkit keeps the link.",
         gazebo=f"Gazebo makes it one body with {quoted(leader)}, and the plugin does not find it.",
@@ -141,9 +138,8 @@ def _no_frame(sheet: Sheet, plugin: PluginElement, name: str, value: str) -> Fin
             f"<{name}> is missing, so the plugin takes {quoted(value)}, and no link has that name"
         )
     return Find(
-        plugin.element if element is None else element.text_span or element,
+        plugin.element if element is None else Part(element),
         severity=Severity.WARNING,
-        element=element or plugin.element,
         what=what,
         here="Its messages are in a frame that TF does not know, so the view cannot place them.",
         gazebo="Its messages are in a frame that TF does not know, so RViz cannot show them.",
@@ -191,9 +187,8 @@ def listed_joints(sheet: Sheet) -> Iterator[Find]:
     if first is not None and unlisted:
         every = ", ".join(moving_joints(sheet))
         yield Find(
-            first.text_span or first,
+            Part(first),
             severity=Severity.WARNING,
-            element=first,
             what=f"the list of joints lacks {listed(unlisted)}",
             here="Nobody says where these joints are: the links below have no frame.",
             gazebo="Nobody says where these joints are: RViz shows no transform for the links below.",
@@ -222,8 +217,7 @@ def _wrong_names(sheet: Sheet, element: Element, listed_names: set[str]) -> Iter
             what = f"the list of joints names {quoted(bare)}, {why}"
             remedy = joint_advice(sheet, bare, moving)
         yield Find(
-            element.text_span or element,
-            element=element,
+            Part(element),
             what=what,
             here="simkit refuses to start the plugin.",
             gazebo="Joint ... does not exist! The plugin then crashes Gazebo.",

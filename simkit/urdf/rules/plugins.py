@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Mapping
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.plugins.registry import plugins
 from simkit.plugins.tags import Names, TagField, tags_of
 from simkit.urdf.rules.entries import PluginElement
@@ -65,9 +65,8 @@ def unknown_plugin(sheet: Sheet) -> Iterator[Find]:
             gazebo = "Gazebo says: Failed to load plugin, and goes on without it."
             remedy = f"Did you mean {quoted(near)}?"
         yield Find(
-            plugin.element.attribute("filename") or plugin.element,
+            Part(plugin.element, "filename"),
             severity=severity,
-            element=plugin.element,
             what=f"simkit has no plugin {quoted(plugin.filename)}",
             here="The plugin is not simulated.",
             gazebo=gazebo,
@@ -241,8 +240,7 @@ def _bad_value(element: Element, tag: TagField) -> Iterator[Find]:
         problem = _bad_number(read_number(text), tag)
     if problem:
         yield Find(
-            element.text_span or element,
-            element=element,
+            Part(element),
             what=f"<{element.name}> {problem}: {quoted(text)}",
             here="simkit refuses to start the plugin.",
             gazebo="The plugin goes on with its default, or with nonsense.",

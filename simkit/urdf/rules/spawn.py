@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.fixed_joints import WORLD
 from simkit.urdf.model import Cylinder
 from simkit.urdf.placed_shape import PlacedShape, extent, overlap
@@ -238,8 +238,7 @@ def world_with_a_body(sheet: Sheet) -> Iterator[Find]:
     if link is None or not is_world(sheet, WORLD) or not _parts(link):
         return
     yield Find(
-        link.element.attribute("name") or link.element,
-        element=link.element,
+        Part(link.element, "name"),
         what=f"the root link 'world' has {' and '.join(_parts(link))}, but Gazebo takes it for the ground",
     )
 

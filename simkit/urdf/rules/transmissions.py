@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.rules.entries import TransmissionEntry
 from simkit.urdf.rules.plugin_names import joint_advice, moving_joints
 from simkit.urdf.rules.sheet import Sheet
@@ -145,9 +145,8 @@ def _part_faults(entry: TransmissionEntry, bad: Severity) -> Iterator[Find]:
     if name not in _KINDS and nearest(name, _KINDS) is not None:
         element = entry.element.child("type") or entry.element
         yield Find(
-            element.text_span or element,
+            Part(element),
             severity=Severity.NOTE,
-            element=element,
             what=f"there is no transmission of type {quoted(kind)}",
             here="simkit does not look at the type, as Gazebo.",
             gazebo="Gazebo does not look at the type; a real robot would.",
@@ -165,9 +164,8 @@ def _joint_faults(sheet: Sheet, joint: Element, moving: list[str], bad: Severity
         what = f"the transmission is for {quoted(name)}, a fixed joint"
     advice = "Leave out the transmission, or give the joint a type that moves."
     yield Find(
-        joint.attribute("name") or joint,
+        Part(joint, "name"),
         severity=bad,
-        element=joint,
         what=what,
         here="simkit leaves out the transmission.",
         gazebo="gazebo_ros_control says: This robot has a joint which is not in the gazebo model; no controller can use it.",
@@ -187,9 +185,8 @@ def _interface_faults(
     if bare not in INTERFACES:
         near = nearest(bare, INTERFACES)
         yield Find(
-            element.text_span or element,
+            Part(element),
             severity=Severity.WARNING if bare in _READ_ONLY else bad,
-            element=element,
             what=f"there is no hardware interface {quoted(text)}",
             here="simkit refuses to control the joint.",
             gazebo="gazebo_ros_control stops: No matching hardware interface found.",
@@ -199,9 +196,8 @@ def _interface_faults(
         )
     elif bare == text:
         yield Find(
-            element.text_span or element,
+            Part(element),
             severity=Severity.NOTE,
-            element=element,
             what=f"the interface {quoted(text)} is written in the old way",
             here="simkit takes it.",
             gazebo="gazebo_ros_control takes it, and says: Deprecated syntax.",

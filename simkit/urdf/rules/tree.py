@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from simkit.diagnostics import Find, Severity, rule
+from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.rules.entries import JointEntry, LinkEntry
 from simkit.urdf.rules.sheet import MOST_FINDS, Sheet
 from simkit.urdf.rules.tree_facts import (
@@ -16,7 +16,7 @@ from simkit.urdf.rules.tree_facts import (
     wanted_links,
 )
 from simkit.urdf.rules.wording import REFUSED, called, listed, meant, quoted, shown
-from simkit.xml import Attribute, Element
+from simkit.xml import Element
 
 
 @rule("URDF-E02", "a joint names a link that does not exist", Severity.ERROR)
@@ -51,13 +51,13 @@ def _unknown(sheet: Sheet, name: str, uses: list[Wanted]) -> Find:
         f", and {more} more {'joint asks' if more == 1 else 'joints ask'} for it" if more else ""
     )
     related = [
-        (_name(sheet.link_by_name[one].element), f"link {quoted(one)} is here") for one in near[:1]
+        (Part(sheet.link_by_name[one].element, "name"), f"link {quoted(one)} is here")
+        for one in near[:1]
     ]
     related += [(use.at, f"{called(use.joint.element)} asks for it, too") for use in uses[1:4]]
     what = f"{called(first.joint.element)} has the {first.role} link {quoted(name)}, which does not exist"
     return Find(
         first.at,
-        element=_element(first),
         what=what + others,
         remedy=_known_link(sheet, name, near, len(uses)),
         loss=REFUSED,
@@ -77,11 +77,6 @@ def _known_link(sheet: Sheet, name: str, near: list[str], uses: int) -> str:
         return f"{quoted(name)} is a joint; a joint hangs on links. Its own child is link {quoted(child)}."
     known = f", or name one of these: {listed(sheet.link_by_name)}" if sheet.links else ""
     return f"Add the link{known}."
-
-
-def _element(wanted: Wanted) -> Element:
-    element = wanted.joint.parent_element if wanted.role == "parent" else wanted.joint.child_element
-    return element or wanted.joint.element
 
 
 @rule("URDF-E03", "several links hang on nothing", Severity.ERROR)
@@ -115,13 +110,13 @@ def several_roots(sheet: Sheet) -> Iterator[Find]:
     ends = f'<parent link="{main.name}"/><child link="{others[0].name}"/>'
     joint = f'<joint name="{others[0].name}_joint" type="fixed">{ends}</joint>'
     yield Find(
-        _name(others[0].element),
-        element=others[0].element,
+        Part(others[0].element, "name"),
         what=f"{len(roots)} links hang on nothing: {listed(str(root.name) for root in roots)}; a robot has one root ({trees})",
         remedy=f"Join them, e.g. {joint}, or give a joint that has the wrong child the right one.",
         loss=REFUSED,
         related=[
-            (_name(root.element), f"root {quoted(root.name)}") for root in (main, *others[1:4])
+            (Part(root.element, "name"), f"root {quoted(root.name)}")
+            for root in (main, *others[1:4])
         ],
     )
 
@@ -196,7 +191,6 @@ def _loop(loop: Loop, free: list[str], *, has_root: bool) -> Find:
     other = _other_child(joint, free)
     return Find(
         _at(joint),
-        element=joint.child_element or joint.element,
         what=what,
         remedy=other or f"Take {called(joint.element)} out, or give it another child.",
         here="simkit refuses the file.",
@@ -219,7 +213,6 @@ def _second_parent(
     name, first, second = quoted(joint.child), called(before.element), called(joint.element)
     return Find(
         _at(joint),
-        element=joint.child_element or joint.element,
         what=f"link {name} has two parents: {quoted(before.parent)} by {first}, {quoted(joint.parent)} by {second}",
         remedy=_other_child(joint, free)
         or f"Take {first} or {second} out, or give it another child.",
@@ -237,10 +230,6 @@ def _other_child(joint: JointEntry, free: list[str]) -> str:
     return f'Link {quoted(others[0])} hangs on nothing: did you mean <child link="{others[0]}"/>?'
 
 
-def _name(element: Element) -> Attribute | Element:
-    return element.attribute("name") or element
-
-
-def _at(joint: JointEntry) -> Attribute | Element:
-    child = joint.child_element
-    return joint.element if child is None else child.attribute("link") or child
+def _at(joint: JointEntry) -> Part | Element:
+    """Where a joint names its child."""
+    return joint.element if joint.child_element is None else Part(joint.child_element, "link")

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from simkit.diagnostics import Part
 from simkit.urdf.rules.entries import JointEntry, LinkEntry
 from simkit.urdf.rules.sheet import Sheet
-from simkit.xml import Attribute, Element
+from simkit.xml import Element
 
 _MOST_LINKS = 200
 "In a larger robot nobody looks for the link that a joint lacks; it takes long."
@@ -22,7 +23,7 @@ class Wanted:
     """`parent` or `child`."""
     name: str
     """The name that it asks for."""
-    at: Attribute | Element
+    at: Part
     """Where it does."""
 
 
@@ -35,8 +36,7 @@ def wanted_links(sheet: Sheet) -> Iterator[Wanted]:
         )
         for role, element, name in ends:
             if element is not None and name is not None and name not in sheet.link_by_name:
-                at = element.attribute("link") or element
-                yield Wanted(joint=joint, role=role, name=name, at=at)
+                yield Wanted(joint=joint, role=role, name=name, at=Part(element, "link"))
 
 
 def spare_links(sheet: Sheet) -> list[LinkEntry]:

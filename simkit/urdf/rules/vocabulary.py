@@ -245,19 +245,19 @@ def first(elements: Iterable[Element]) -> Element | None:
     return next(iter(elements), None)
 
 
-def in_context(robot: Element) -> Iterator[tuple[Element, str]]:
+def in_context(robot: Element | None) -> Iterator[tuple[Element, str]]:
     """The robot and all elements of URDF below it, each with the word of URDF that it is meant to be.
 
     Elements that may not stand where they stand are left out with all that is in them, but for links and joints, which the
     sheet lists as well. What is in `<gazebo>` and its kin is not of URDF.
 
     Args:
-        robot: The root.
+        robot: The root; None if there is none.
 
     Yields:
         Elements in the order of the text.
     """
-    waiting = [(robot, "robot")]
+    waiting = [] if robot is None else [(robot, "robot")]
     while waiting:
         element, word = waiting.pop()
         if word in WORDS:

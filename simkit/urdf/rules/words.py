@@ -44,8 +44,6 @@ def unknown_word(sheet: Sheet) -> Iterator[Find]:
         <joint name="wheel_joint" type="continuous">
           <dynamics damping="0.1" friction="0.1"/>
     """
-    if sheet.robot is None:
-        return
     for element, word in in_context(sheet.robot):
         for child in element.children:
             yield from _unknown_element(sheet, child, word)
