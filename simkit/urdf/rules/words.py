@@ -1,11 +1,10 @@
-"""The rule about elements and attributes that URDF does not know."""
+"""The rule about elements and attributes that URDF does not know, and what to write instead of them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from simkit.diagnostics import Find, Severity, rule
-from simkit.urdf.rules.misplaced import advice
 from simkit.urdf.rules.parts import missing_attributes
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.vocabulary import (
@@ -16,7 +15,15 @@ from simkit.urdf.rules.vocabulary import (
     misspelt_attributes,
     nearest,
 )
-from simkit.urdf.rules.wording import loss, part_of, quoted, shown
+from simkit.urdf.rules.wording import (
+    loss,
+    numbers_text,
+    owner,
+    part_of,
+    quoted,
+    read_numbers,
+    shown,
+)
 from simkit.xml import Attribute, Element
 
 _SILENT = "ROS and Gazebo ignore it without a word."
@@ -75,7 +82,7 @@ def _unknown_element(sheet: Sheet, element: Element, context: str) -> Iterator[F
             if known
             else f"<{name}> in {_where(element)} is no word of URDF"
         )
-        remedy = advice(element, context) or f"Take it out. {may}"
+        remedy = _advice_on(element, context) or f"Take it out. {may}"
     lost = near in _NEEDED and context != "robot"
     follows = loss(element.parent or element) if lost else None
     yield Find(
@@ -180,3 +187,114 @@ def _advice(name: str, context: str) -> str:
         if known
         else f"Take it out: <{context}> has no attributes."
     )
+
+
+_GAZEBO_WORDS = {
+    **{"gravity": "turnGravityOff", "kinematic": "kinematic", "self_collide": "selfCollide"},
+    **{"mu": "mu1", "mu1": "mu1", "mu2": "mu2", "kp": "kp", "kd": "kd"},
+    **{"selfCollide": "selfCollide", "turnGravityOff": "turnGravityOff", "maxVel": "maxVel"},
+    **{"velocity_decay": "dampingFactor", "laser_retro": "laserRetro", "minDepth": "minDepth"},
+}
+"Properties of a link that stand in its `<gazebo>`, by what people write."
+
+_in_gazebo = '<gazebo reference="{{link}}">{}</gazebo> into the robot'.format
+_COLOUR = 'A colour stands in a <material> of a <visual>: <material name="..."><color rgba="{rgba}"/></material>.'
+_GAZEBO_COLOUR = "URDF knows only <color>; Gazebo takes a <material> of its own, e.g. Gazebo/Orange, from the <gazebo> of the link."
+_ADVICE: Mapping[tuple[str, str], str] = {
+    (
+        "link",
+        "pose",
+    ): "<pose> is SDF, and a link of URDF has no pose: its joint says where it is, and <origin> in a "
+    "visual, collision or inertial where that is. Where the robot starts, spawn_model says: -z {height}.",
+    ("", "pose"): "<pose> is SDF; URDF writes {origin}.",
+    ("", "surface"): "<surface> is SDF; friction of a URDF stands in a <gazebo>: write "
+    f"{_in_gazebo('{friction}')}; it holds for all collisions of the link.",
+    ("link", "contact"): "Only Bullet reads it. For friction in Gazebo write "
+    f"{_in_gazebo('<mu1>{lateral}</mu1><mu2>{lateral}</mu2>')}.",
+    ("link", "sensor"): "A sensor stands in a <gazebo>: write "
+    f"{_in_gazebo('<sensor ...>...</sensor>')}.",
+    ("joint", "joint_properties"): "URDF calls it <dynamics {attributes}/>.",
+    **{("joint", name): 'Write <dynamics {name}="{value}"/>.' for name in ("damping", "friction")},
+    **{
+        ("joint", name): 'It is an attribute of <limit>: <limit {name}="{value}" .../>.'
+        for name in ("lower", "upper", "effort", "velocity")
+    },
+    (
+        "link",
+        "origin",
+    ): "A link has no origin of its own: its joint says where it is. Move it into the <visual>, "
+    "<collision> or <inertial>, or into the joint above the link.",
+    **{(place, "color"): _COLOUR for place in ("link", "visual", "robot")},
+    (
+        "collision",
+        "material",
+    ): "A collision is not seen, and has no colour: take it out, or move it into the <visual>.",
+    ("link", "material"): "Move it into the <visual>.",
+    ("geometry", "material"): "Move it out of the <geometry>, into the <visual>.",
+    (
+        "robot",
+        "plugin",
+    ): "A plugin stands in a <gazebo>: <gazebo><plugin ...>...</plugin></gazebo>.",
+    (
+        "link",
+        "plugin",
+    ): "A plugin stands in a <gazebo> of the robot: <gazebo><plugin ...>...</plugin></gazebo>.",
+    ("joint", "hardwareInterface"): "It belongs into a <transmission>.",
+    ("robot", "static"): "It belongs to Gazebo: <gazebo><static>true</static></gazebo>.",
+    ("robot", "include"): 'URDF has no include; xacro has: <xacro:include filename="..."/>.',
+    ("robot", "model"): "<model> is SDF; the robot itself is the model: take it out.",
+    **{
+        ("material", name): _GAZEBO_COLOUR
+        for name in ("ambient", "diffuse", "specular", "emissive", "script")
+    },
+    ("collision", "verbose"): "It has no effect any more: take it out.",
+    **{
+        ("link", name): "Nothing of ROS 1 reads it: take it out."
+        for name in ("self_filter", "collision_checking", "self_collision_checking")
+    },
+}
+"""What to write instead of an element, by the word that it stands in (any if empty) and its name.
+
+Most are of SDF, Gazebo's own language, or from another place of URDF.
+"""
+
+
+def _advice_on(element: Element, context: str) -> str:
+    """What to write instead of an element that may not stand where it stands; empty if there is no special advice."""
+    words = _ADVICE.get((context, element.name)) or _ADVICE.get(("", element.name))
+    if words is not None:
+        return words.format_map(_facts(element))
+    if context in ("link", "visual", "collision") and element.name in _GAZEBO_WORDS:
+        word, value = _GAZEBO_WORDS[element.name], shown(element.text.strip()) or "..."
+        if element.name == "gravity":
+            value = "true" if value in ("0", "false") else "false"
+        facts = {**_facts(element), "inner": f"<{word}>{value}</{word}>"}
+        block = _in_gazebo("{inner}").format_map(facts)
+        return f"It belongs to Gazebo: write {block}."
+    homes = [word for word, entry in WORDS.items() if element.name in entry.children]
+    return f"Move it into <{'> or <'.join(homes)}>." if homes and context not in homes else ""
+
+
+def _facts(element: Element) -> dict[str, str]:
+    """What advice says of an element."""
+    text = " ".join(element.text.split())
+    pose = read_numbers(text, 6)
+    origin = '<origin xyz="..." rpy="..."/>'
+    if pose is not None:
+        origin = f'<origin xyz="{numbers_text(pose[:3])}" rpy="{numbers_text(pose[3:])}"/>'
+    inner = {one.name: shown(one.text.strip()) for one in element.walk()}
+    given = {"mu1": inner.get("mu"), "mu2": inner.get("mu2")}
+    friction = "".join(f"<{name}>{value}</{name}>" for name, value in given.items() if value)
+    lateral = element.child("lateral_friction")
+    written = " ".join(f'{one.name}="{shown(one.value)}"' for one in element.attributes)
+    return {
+        "name": element.name,
+        "value": shown(text or element.get("value") or "..."),
+        "attributes": written or 'damping="..." friction="..."',
+        "link": shown(owner(element).get("name") or "..."),
+        "rgba": shown(element.get("rgba") or text or "0.75 0.75 0.75 1"),
+        "origin": origin,
+        "height": numbers_text(pose[2:3]) if pose and pose[2] else "0.1",
+        "friction": friction or "<mu1>...</mu1><mu2>...</mu2>",
+        "lateral": "..." if lateral is None else shown(lateral.get("value") or "..."),
+    }
