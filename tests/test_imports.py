@@ -28,7 +28,7 @@ MAY_IMPORT = {
     "simkit.xml": "simkit.errors",
     "simkit.diagnostics": "simkit.errors simkit.xml",
     "simkit.urdf": "simkit.errors simkit.xml simkit.diagnostics simkit.packages simkit.tf "
-    "simkit.plugins.tags simkit.plugins.registry",
+    "simkit.plugins.tags simkit.plugins.registry simkit.plugins.control.registry",
     # the graph, and what lives on it
     "simkit.graph": "simkit.errors simkit.msgs simkit.graph.process.child",
     "simkit.tf.broadcaster": "simkit.msgs simkit.tf simkit.graph",
@@ -55,8 +55,10 @@ MAY_IMPORT = {
     "simkit.physics": "simkit.errors simkit.xml simkit.diagnostics simkit.urdf simkit.packages simkit.tf",
     # what the tags of plugins may say: pure, so that check_urdf and the plugins' parser share it
     "simkit.plugins.tags": "",
+    "simkit.plugins.control.registry": "simkit.plugins",
     "simkit.plugins.registry": "simkit.plugins simkit.plugins.tags",
-    "simkit.plugins": "simkit.plugins.tags simkit.plugins.registry simkit.errors simkit.msgs simkit.graph "
+    "simkit.plugins": "simkit.plugins.tags simkit.plugins.registry simkit.plugins.control.registry simkit.errors "
+    "simkit.msgs simkit.graph "
     "simkit.tf simkit.xml simkit.urdf simkit.physics",
     "simkit.gazebo": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
     "simkit.urdf simkit.urdf.rules simkit.packages simkit.commands.errors simkit.nodes.program "

@@ -13,7 +13,7 @@ from dataclasses import replace
 from simkit.commands.command import Answer, ErrorText, parsed
 from simkit.commands.errors import FAILURE, ToolError
 from simkit.commands.robot_file import RobotFile, read_file
-from simkit.diagnostics import Diagnostic, Layout, Severity, as_json, as_text, summary
+from simkit.diagnostics import Diagnostic, Layout, Severity, as_json, as_text, count_text
 from simkit.errors import SimkitError
 from simkit.urdf import check_urdf_text, read_robot
 from simkit.urdf.rules import Companion, CompanionKind, check_robot
@@ -151,7 +151,7 @@ def _text(diagnostics: Sequence[Diagnostic], *, whole: bool) -> str:
     parts = [as_text(told, layout=layout)] if told else []
     if notes:
         parts.append("".join(as_text([_head(one)], layout=layout) for one in notes))
-    return "\n".join(parts) + f"{summary(diagnostics)}{more}\n"
+    return "\n".join(parts) + f"{count_text(diagnostics)}{more}\n"
 
 
 def _head(one: Diagnostic) -> Diagnostic:

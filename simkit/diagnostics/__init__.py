@@ -5,7 +5,7 @@
 """
 
 from simkit.diagnostics.diagnostic import Diagnostic, Related, Severity, in_order
-from simkit.diagnostics.show import Layout, as_json, as_text, summary
+from simkit.diagnostics.show import Layout, as_json, as_text, count_text
 from simkit.diagnostics.table import Find, Part, Rule, rule
 
 __all__ = [
@@ -18,7 +18,7 @@ __all__ = [
     "Severity",
     "as_json",
     "as_text",
+    "count_text",
     "in_order",
     "rule",
-    "summary",
 ]

@@ -89,7 +89,7 @@ def as_json(diagnostics: Sequence[Diagnostic]) -> str:
     return json.dumps(listed, indent=2)
 
 
-def summary(diagnostics: Sequence[Diagnostic]) -> str:
+def count_text(diagnostics: Sequence[Diagnostic]) -> str:
     """How many there are: `2 errors, 1 warning`, or `no faults found`."""
     counts = [(_count(diagnostics, severity), severity.value) for severity in Severity]
     parts = [f"{count} {word}{'' if count == 1 else 's'}" for count, word in counts if count]

@@ -137,7 +137,7 @@ class Rule:
             source: The file that is looked at.
         """
         source = source if find.companion is None else find.companion
-        span, element = place(find.at), find.about
+        span, element = place_of(find.at), find.about
         return Diagnostic(
             rule=self.id,
             severity=find.severity or (find.loss or self).severity,
@@ -207,7 +207,7 @@ def in_table_order(rules: Iterable[Rule]) -> tuple[Rule, ...]:
     return tuple(sorted(rules, key=key))
 
 
-def place(at: At) -> Span:
+def place_of(at: At) -> Span:
     """The place of something: of an element its name, of an attribute its value."""
     if isinstance(at, Part):
         element = at.element
@@ -225,7 +225,7 @@ def related(at: At, text: str, source: FaultyFile) -> Related:
         text: What is there.
         source: The file that it is in.
     """
-    span = place(at)
+    span = place_of(at)
     return Related(file=source.file, span=span, text=text, source=source.line(span.line))
 
 

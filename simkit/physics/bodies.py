@@ -10,8 +10,7 @@ import numpy as np
 from simkit.geometry import Matrix
 from simkit.physics.errors import ModelError
 from simkit.physics.lumps import Member, RigidGroup
-from simkit.urdf.inertia import Body, merged, placed
-from simkit.urdf.matrix import eigenvalues
+from simkit.urdf.inertia import Body, eigenvalues, merged, placed_body
 from simkit.urdf.model import Inertial, Pose
 
 NO_MASS = 1e-6
@@ -31,7 +30,7 @@ def body_of(lump: RigidGroup) -> Body | None:
         ModelError: A mass is negative, or a number is none.
     """
     bodies = [
-        placed(body, member.frame)
+        placed_body(body, member.frame)
         for member in lump.members
         if (body := _own_body(member)) is not None
     ]
@@ -53,7 +52,7 @@ def _own_body(member: Member) -> Body | None:
         raise ModelError(f"link {name} has a mass of {inertial.mass:g} kg: a mass is positive")
     if inertial.mass < NO_MASS:
         return None
-    return placed(Body(inertial.mass, (0.0, 0.0, 0.0), tensor), inertial.origin.transform)
+    return placed_body(Body(inertial.mass, (0.0, 0.0, 0.0), tensor), inertial.origin.transform)
 
 
 def _tensor(inertial: Inertial) -> Matrix:

@@ -39,7 +39,7 @@ import numpy as np
 from simkit.geometry import Transform, Vector
 from simkit.physics.plan import JointKind, JointPlan, ModelPlan
 from simkit.physics.skeleton import Built
-from simkit.urdf.inertia import Body, placed
+from simkit.urdf.inertia import Body, placed_body
 
 BURST = 8
 """Steps from one kick to the next, at most; `simkit.physics.stability.LOOK_EVERY` is a multiple of it."""
@@ -223,7 +223,7 @@ def _is_balanced_wheel(joint: JointPlan, plan: ModelPlan) -> bool:
     if joint.kind is not JointKind.REVOLUTE or not is_last or joint.stiffness > 0.0:
         return False
     return is_balanced(
-        placed(plan.bodies[joint.child].body, joint.anchor.inverse() @ Transform()), joint.axis
+        placed_body(plan.bodies[joint.child].body, joint.anchor.inverse() @ Transform()), joint.axis
     )
 
 

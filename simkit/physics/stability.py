@@ -16,7 +16,7 @@ from simkit.physics.model import Model
 from simkit.physics.plan import BodyPlan, ModelPlan, Plane
 from simkit.physics.second_order import SecondOrder
 from simkit.physics.shapes import sizes_of
-from simkit.urdf.matrix import eigenvalues
+from simkit.urdf.inertia import eigenvalues
 
 HEAVIEST = 1e4
 """Mass of the heaviest body of a model over that of the lightest one."""

@@ -1,5 +1,7 @@
 """Mass and inertia of rigid bodies: of simple shapes, of what is lumped together, and what is possible at all.
 
+Matrices of 3 by 3 are tuples of rows: numpy takes longer to load than a robot to check.
+
 All tensors are about the centre of mass of their body [kg m^2], in the axes of the frame that is named.
 """
 
@@ -9,8 +11,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from simkit.geometry import Matrix, Transform, Vector
-from simkit.urdf.matrix import added, diagonal, eigenvalues, product, transpose
+from simkit.geometry import IDENTITY_MATRIX, Matrix, Transform, Vector
 from simkit.urdf.model import Box, Cylinder, Sphere
 from simkit.urdf.placed_shape import PlacedShape, Primitive, volume
 
@@ -19,6 +20,74 @@ ROUNDED = 0.01
 
 _FLAT = 1e-9
 "A principal moment that is smaller than this share of the largest one is as good as zero."
+
+_SWEEPS = 30
+"Jacobi needs about five; numbers that are not finite never get there."
+
+
+def diagonal_matrix(entries: Vector) -> Matrix:
+    """The matrix with these entries on its diagonal."""
+    a, b, c = entries
+    return ((a, 0.0, 0.0), (0.0, b, 0.0), (0.0, 0.0, c))
+
+
+def transpose(matrix: Matrix) -> Matrix:
+    """Rows for columns: of a rotation its inverse."""
+    (a, b, c), (d, e, f), (g, h, i) = matrix
+    return ((a, d, g), (b, e, h), (c, f, i))
+
+
+def apply(matrix: Matrix, vector: Vector) -> Vector:
+    """The product of a matrix and a column."""
+    x, y, z = vector
+    (a, b, c), (d, e, f), (g, h, i) = matrix
+    return (a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
+
+
+def product(left: Matrix, right: Matrix) -> Matrix:
+    """The product of two matrices: for rotations R_ac = R_ab R_bc."""
+    columns = transpose(right)
+    return transpose((apply(left, columns[0]), apply(left, columns[1]), apply(left, columns[2])))
+
+
+def added(left: Matrix, right: Matrix) -> Matrix:
+    """The sum of two matrices."""
+    (a, b, c), (d, e, f), (g, h, i) = left
+    (j, k, m), (n, o, p), (q, r, s) = right
+    return ((a + j, b + k, c + m), (d + n, e + o, f + p), (g + q, h + r, i + s))
+
+
+def eigenvalues(matrix: Matrix) -> Vector:
+    """The three eigenvalues of a symmetric matrix, the smallest first.
+
+    Source:
+        Jacobi's rotations, which also find the small ones of a matrix of uneven size.
+    """
+    turned = matrix
+    for _ in range(_SWEEPS):
+        if turned[0][1] == turned[0][2] == turned[1][2] == 0.0:
+            break
+        for row, column in ((0, 1), (0, 2), (1, 2)):
+            turned = _without(turned, row, column)
+    low, middle, high = sorted((turned[0][0], turned[1][1], turned[2][2]))
+    return (low, middle, high)
+
+
+def _without(matrix: Matrix, row: int, column: int) -> Matrix:
+    """The same matrix in axes that are turned so that one entry beside the diagonal is gone."""
+    entry = matrix[row][column]
+    if entry == 0.0:
+        return matrix
+    angle = 0.5 * math.atan2(2.0 * entry, matrix[column][column] - matrix[row][row])
+    cos, sin = math.cos(angle), math.sin(angle)
+    turn = [list(line) for line in IDENTITY_MATRIX]
+    turn[row][row] = turn[column][column] = cos
+    turn[row][column], turn[column][row] = sin, -sin
+    rotation = tuple(tuple(line) for line in turn)
+    done = product(transpose(rotation), product(matrix, rotation))  # type: ignore[arg-type]
+    cleared = [list(line) for line in done]
+    cleared[row][column] = cleared[column][row] = 0.0
+    return tuple(tuple(line) for line in cleared)  # type: ignore[return-value]
 
 
 @dataclass(frozen=True)
@@ -43,14 +112,14 @@ def shape_tensor(shape: Primitive, mass: float) -> Matrix:
     match shape:
         case Box():
             x, y, z = (side * side for side in shape.size)
-            return diagonal((mass * (y + z) / 12, mass * (x + z) / 12, mass * (x + y) / 12))
+            return diagonal_matrix((mass * (y + z) / 12, mass * (x + z) / 12, mass * (x + y) / 12))
         case Cylinder():
             r_r, h_h = shape.radius * shape.radius, shape.length * shape.length
             across = mass * (3 * r_r + h_h) / 12
-            return diagonal((across, across, mass * r_r / 2))
+            return diagonal_matrix((across, across, mass * r_r / 2))
         case Sphere():
             about_any = 2 * mass * shape.radius * shape.radius / 5
-            return diagonal((about_any, about_any, about_any))
+            return diagonal_matrix((about_any, about_any, about_any))
 
 
 def turned(tensor: Matrix, rotation: Matrix) -> Matrix:
@@ -73,7 +142,7 @@ def point_tensor(mass: float, offset: Vector) -> Matrix:
     )
 
 
-def placed(body: Body, frame: Transform) -> Body:
+def placed_body(body: Body, frame: Transform) -> Body:
     """A body known in a frame b, seen from a, for `frame` = T_ab."""
     return Body(body.mass, frame.apply(body.centre), turned(body.tensor, frame.matrix))
 
@@ -89,7 +158,7 @@ def merged(bodies: Sequence[Body]) -> Body:
     """
     mass = sum(body.mass for body in bodies)
     cx, cy, cz = (sum(b.mass * b.centre[axis] for b in bodies) / mass for axis in range(3))
-    tensor = diagonal((0.0, 0.0, 0.0))
+    tensor = diagonal_matrix((0.0, 0.0, 0.0))
     for body in bodies:
         x, y, z = body.centre
         away = point_tensor(body.mass, (x - cx, y - cy, z - cz))
@@ -109,7 +178,7 @@ def body_of_shapes(shapes: Sequence[PlacedShape], mass: float) -> Body:
 
 
 def _one_body(shape: PlacedShape, mass: float) -> Body:
-    return placed(Body(mass, (0.0, 0.0, 0.0), shape_tensor(shape.shape, mass)), shape.frame)
+    return placed_body(Body(mass, (0.0, 0.0, 0.0), shape_tensor(shape.shape, mass)), shape.frame)
 
 
 def is_positive_definite(tensor: Matrix) -> bool:

@@ -19,7 +19,7 @@ from simkit.xml.letters import (
     Pattern,
     is_foreign,
     replace_in_value,
-    short,
+    shortened,
     words_on_junk,
 )
 from simkit.xml.source import Source
@@ -157,8 +157,8 @@ class AttributeList:
         if not has_space:
             self.fault(
                 *name.span(),
-                what=f"there is no space before {short(name[0])}",
-                remedy=f"Write a space before {short(name[0])}.",
+                what=f"there is no space before {shortened(name[0])}",
+                remedy=f"Write a space before {shortened(name[0])}.",
                 kind=FaultKind.LOOSE_ATTRIBUTE,
             )
         equals = _EQUALS.match(text, name.end())
@@ -174,9 +174,9 @@ class AttributeList:
             self.at = name.end()
 
     def _not_one_equals(self, name: re.Match[str], sign: str, at: int) -> None:
-        shown = short(_attribute_name(name))
+        shown = shortened(_attribute_name(name))
         quoted = _QUOTED.match(self._source.text, at)
-        remedy = f'Write {shown}="{short(quoted[1]) if quoted else "..."}"'
+        remedy = f'Write {shown}="{shortened(quoted[1]) if quoted else "..."}"'
         if sign:
             what = f"{shown} has more than one ="
         elif self._source.text[at : at + 1] in ('"', "'"):
@@ -197,7 +197,10 @@ class AttributeList:
             self._cut(place, cut)
             return
         if bracket >= 0:
-            what, kind = f"< cannot stand in the value of {short(name[0])}", FaultKind.BAD_CHARACTER
+            what, kind = (
+                f"< cannot stand in the value of {shortened(name[0])}",
+                FaultKind.BAD_CHARACTER,
+            )
             source.fault(kind, bracket, bracket + 1, what=what, remedy="Write &lt; instead.")
         self._keep(place, *replace_in_value(source, at + 1, end))
         self.at = end + 1
@@ -208,15 +211,15 @@ class AttributeList:
         self.fault(
             place.start - 1,
             cut.end,
-            what=f"the value of {short(place.name)} has no quotation mark at its end",
-            remedy=f'Write {short(place.name)}="{short(value)}"',
+            what=f"the value of {shortened(place.name)} has no quotation mark at its end",
+            remedy=f'Write {shortened(place.name)}="{shortened(value)}"',
         )
         self._keep(_Place(place.name, place.name_at, place.start, cut.end), value)
         self._last = None
         self.at = cut.resume
 
     def _unquoted(self, name: re.Match[str], at: int) -> None:
-        found, shown = _unquoted_value(self._source.text, at), short(name[0])
+        found, shown = _unquoted_value(self._source.text, at), shortened(name[0])
         if found is None:
             what, remedy = (
                 f"there is no value behind {shown}=",
@@ -229,7 +232,7 @@ class AttributeList:
             at,
             found.end,
             what=f"the value of {shown} {found.what}",
-            remedy=f'Write {shown}="{short(found.value)}"',
+            remedy=f'Write {shown}="{shortened(found.value)}"',
             kind=FaultKind.LOOSE_ATTRIBUTE if found.is_bare else FaultKind.MALFORMED_TAG,
         )
         end = found.start + len(found.value)
@@ -251,8 +254,8 @@ class AttributeList:
         source.fault_at(
             FaultKind.DUPLICATE_ATTRIBUTE,
             one.name_span,
-            what=f'{short(name)} stands twice in this tag: "{short(first.value)}" and "{short(value)}"',
-            remedy=f"Delete one of the two {short(name)}=..., or rename the one that was meant to be another.",
+            what=f'{shortened(name)} stands twice in this tag: "{shortened(first.value)}" and "{shortened(value)}"',
+            remedy=f"Delete one of the two {shortened(name)}=..., or rename the one that was meant to be another.",
             other=first.name_span,
         )
 

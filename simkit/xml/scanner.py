@@ -13,7 +13,7 @@ from simkit.xml.letters import (
     WHITE,
     Pattern,
     replace_references,
-    short,
+    shortened,
     spoken,
 )
 from simkit.xml.sections import (
@@ -195,8 +195,8 @@ class _Scanner:
             self._fault(
                 at,
                 spaced.end(),
-                what=f"there is white space between < and {short(spaced[1])}",
-                remedy=f"Write <{short(spaced[1])} without the space.",
+                what=f"there is white space between < and {shortened(spaced[1])}",
+                remedy=f"Write <{shortened(spaced[1])} without the space.",
             )
             yield self._start_tag(spaced.start(1))
             return

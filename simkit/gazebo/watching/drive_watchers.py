@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from simkit.gazebo.watching.ground import floor_height, foot, load_share, touching
-from simkit.gazebo.watching.motion import LOOK_S, Means, means, signed, turned
+from simkit.gazebo.watching.motion import LOOK_S, Means, means, signed, turn_between
 from simkit.gazebo.watching.watcher import DriveWatcher, Observation, WatchedModel
 
 LOOKS = 6
@@ -215,7 +215,7 @@ class Drifting(DriveWatcher):
             return None
         first, last = moments[REST_LOOKS], moments[-1]
         way = math.dist(first.place[:2], last.place[:2])
-        turn = abs(turned(first.yaw, last.yaw))
+        turn = abs(turn_between(first.yaw, last.yaw))
         if way < FAR and turn < ROUND:
             return None
         return Observation(

@@ -192,7 +192,7 @@ def means(moments: Sequence[Moment]) -> Means:
     )
 
 
-def turned(start: float, end: float) -> float:
+def turn_between(start: float, end: float) -> float:
     """The smallest turn from one angle to another [rad]."""
     return math.remainder(end - start, math.tau)
 
@@ -204,7 +204,7 @@ def signed(value: float) -> str:
 
 def _step(one: Moment, other: Moment) -> tuple[float, float]:
     """Way forward [m] and turn [rad] between two looks."""
-    turn = turned(one.yaw, other.yaw)
+    turn = turn_between(one.yaw, other.yaw)
     heading = one.yaw + turn / 2.0
     dx, dy = other.place[0] - one.place[0], other.place[1] - one.place[1]
     return dx * math.cos(heading) + dy * math.sin(heading), turn
@@ -216,7 +216,7 @@ def _jumps(one: Moment, other: Moment) -> bool:
     reach = 0.05 + 2.0 * LOOK_S * max(one.speed, other.speed)
     swing = 0.1 + 2.0 * LOOK_S * max(one.spin, other.spin)
     is_far = math.dist(one.place, other.place) > reach
-    return is_steep or is_far or abs(turned(one.yaw, other.yaw)) > swing
+    return is_steep or is_far or abs(turn_between(one.yaw, other.yaw)) > swing
 
 
 def _mean(twists: list[tuple[float, float]]) -> tuple[float, float]:

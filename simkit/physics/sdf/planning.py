@@ -17,7 +17,7 @@ from simkit.physics.plan import (
 from simkit.physics.sdf.description import SdfCollision, SdfJoint, SdfLink, SdfModel
 from simkit.physics.sdf.models import WORLD
 from simkit.physics.shapes import PLACEHOLDER, note_friction, unit, with_solid
-from simkit.urdf.inertia import Body, placed
+from simkit.urdf.inertia import Body, placed_body
 from simkit.urdf.model import Inertial
 
 _KINDS = {
@@ -109,7 +109,7 @@ def _mass(link: SdfLink) -> Body:
     if one.mass < NO_MASS:
         raise ModelError(f"link {link.name} has a mass of {one.mass:g} kg: a mass is positive")
     tensor = ((one.ixx, one.ixy, one.ixz), (one.ixy, one.iyy, one.iyz), (one.ixz, one.iyz, one.izz))
-    return placed(Body(one.mass, (0.0, 0.0, 0.0), tensor), one.origin.transform)
+    return placed_body(Body(one.mass, (0.0, 0.0, 0.0), tensor), one.origin.transform)
 
 
 def _shape(link: SdfLink, collision: SdfCollision, notes: list[str]) -> ShapePlan | None:

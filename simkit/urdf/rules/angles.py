@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.rules.entries import JointEntry, OriginEntry
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.wording import called, number_text, numbers_text, part_of, short
+from simkit.urdf.rules.wording import called, four_digits, numbers_text, part_of, six_digits
 
 _FULL_TURN = 2 * math.pi * 1.05
 "A larger angle [rad] is more than a turn, rounding aside."
@@ -66,10 +66,10 @@ def _in_limits(joint: JointEntry) -> Iterator[Find]:
     if not bad:
         return
     largest = max(abs(values[name]) for name in bad)
-    written = " ".join(f'{name}="{number_text(values[name])}"' for name in bad)
+    written = " ".join(f'{name}="{six_digits(values[name])}"' for name in bad)
     yield Find(
         Part(limit.element, bad[0]),
-        what=f"{called(joint.element)} has {written}: {number_text(largest)} rad is {_turns(largest)} turns, so this looks "
+        what=f"{called(joint.element)} has {written}: {six_digits(largest)} rad is {_turns(largest)} turns, so this looks "
         "like degrees",
         remedy=f"Angles are in radians: write {_mended(values)}.",
         here=f"From stop to stop the joint turns by {_turns(limit.upper - limit.lower)} revolutions.",
@@ -78,7 +78,7 @@ def _in_limits(joint: JointEntry) -> Iterator[Find]:
 
 
 def _turns(angle: float) -> str:
-    return number_text(round(abs(angle) / (2 * math.pi), 1))
+    return six_digits(round(abs(angle) / (2 * math.pi), 1))
 
 
 def _mended(values: Mapping[str, float]) -> str:
@@ -91,13 +91,13 @@ def _in_origin(origin: OriginEntry) -> Iterator[Find]:
     bad = [angle for angle in origin.rpy if look_like_degrees(angle)]
     if bad:
         mended = " ".join(_radians(angle) for angle in origin.rpy)
-        off = number_text(round(math.degrees(math.remainder(bad[0], 2 * math.pi)), 1))
+        off = six_digits(round(math.degrees(math.remainder(bad[0], 2 * math.pi)), 1))
         yield Find(
             Part(origin.element, "rpy"),
             what=f"rpy {numbers_text(origin.rpy)!r} of {part_of(origin.element)} is more than a turn in radians, so this "
             "looks like degrees",
             remedy=f'Angles are in radians: write rpy="{mended}".',
-            here=f"{number_text(bad[0])} rad is the same as {off} degrees: the part stands askew.",
+            here=f"{six_digits(bad[0])} rad is the same as {off} degrees: the part stands askew.",
             gazebo="ROS and Gazebo take the number for radians, too.",
         )
 
@@ -147,7 +147,7 @@ def rounded_angle(sheet: Sheet) -> Iterator[Find]:
         return
     yield Find(
         Part(element, "rpy"),
-        what=f"{value:g} misses {math.degrees(right):.0f}° by {short(abs(math.degrees(value - right)))}°{more}",
+        what=f"{value:g} misses {math.degrees(right):.0f}° by {four_digits(abs(math.degrees(value - right)))}°{more}",
         remedy=f"Write {right:.6f} if a right angle is meant; mostly it does not matter.",
     )
 

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 from simkit.geometry import Matrix, Transform, Vector
 from simkit.urdf.fixed_joints import KEEP_TAGS, TRUE, WORLD, leaders, merged_links
-from simkit.urdf.inertia import body_of_shapes, turned
-from simkit.urdf.matrix import transpose
+from simkit.urdf.inertia import body_of_shapes, transpose, turned
 from simkit.urdf.model import Mesh
 from simkit.urdf.placed_shape import PlacedShape, is_sound
 from simkit.urdf.rules.entries import BodyEntry, InertialEntry, LinkEntry, OriginEntry
@@ -38,14 +37,14 @@ def placed_shape(body: BodyEntry) -> PlacedShape | None:
     return PlacedShape(body.shape, frame) if is_sound(body.shape) else None
 
 
-def shapes_of(bodies: Iterable[BodyEntry]) -> tuple[PlacedShape, ...]:
+def simple_parts(bodies: Iterable[BodyEntry]) -> tuple[PlacedShape, ...]:
     """The simple shapes among some visuals or collisions of a link, in its frame."""
     return tuple(shape for one in bodies if (shape := placed_shape(one)) is not None)
 
 
 def simple_shapes(bodies: tuple[BodyEntry, ...]) -> tuple[PlacedShape, ...]:
     """The shapes of some visuals or collisions if every one is simple; else none."""
-    shapes = shapes_of(bodies)
+    shapes = simple_parts(bodies)
     return shapes if len(shapes) == len(bodies) else ()
 
 
@@ -58,7 +57,7 @@ def solid(link: LinkEntry) -> tuple[PlacedShape, ...]:
     return simple_shapes(link.collisions or link.visuals)
 
 
-def outline(link: LinkEntry) -> tuple[PlacedShape, ...]:
+def link_outline(link: LinkEntry) -> tuple[PlacedShape, ...]:
     """All that is seen and touched of a link, in its frame; nothing if any of it is a mesh."""
     return simple_shapes((*link.visuals, *link.collisions))
 
@@ -103,7 +102,7 @@ def reach(link: LinkEntry) -> float:
     centre = centre_of_mass(link)
     if centre is None:
         return 0.0
-    return max((shape.farthest(centre) for shape in outline(link)), default=0.0)
+    return max((shape.farthest(centre) for shape in link_outline(link)), default=0.0)
 
 
 _SMALL = 0.1
@@ -226,4 +225,4 @@ def standing_shapes(
     """The simple shapes among some visuals or collisions of a link, seen from its root."""
     if standing is None:
         return ()
-    return tuple(shape.seen_from(standing.frame) for shape in shapes_of(bodies))
+    return tuple(shape.seen_from(standing.frame) for shape in simple_parts(bodies))

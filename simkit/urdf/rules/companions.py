@@ -52,7 +52,7 @@ class CompanionLaunch:
         return found
 
 
-def launch_files(sheet: Sheet) -> list[CompanionLaunch]:
+def companion_launches(sheet: Sheet) -> list[CompanionLaunch]:
     """The launch files beside a URDF."""
     return [_read(one) for one in sheet.companions if one.kind is CompanionKind.LAUNCH]
 
@@ -66,7 +66,7 @@ def option(node: Element, name: str) -> str | None:
 
 def spawn_height(sheet: Sheet) -> float | None:
     """How high a launch file spawns the robot [m]; None if none spawns it, or the height is not known."""
-    for launch in launch_files(sheet):
+    for launch in companion_launches(sheet):
         for node in launch.nodes:
             if node.get("type") == "spawn_model":
                 return read_number(option(node, "-z") or "0")
@@ -137,7 +137,7 @@ class Faulty:
     """Where."""
 
 
-def controllers(companion: Companion) -> list[ListedController] | Faulty:
+def listed_controllers(companion: Companion) -> list[ListedController] | Faulty:
     """The controllers of a file, in its order; never raises."""
     import yaml  # takes 20 ms to load, and most calls have no YAML
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from simkit.diagnostics import Find, Severity, rule
-from simkit.urdf.rules.companions import Faulty, ListedController, controllers, gains_below
+from simkit.plugins.control.registry import CONTROLLER_TYPES, FAMILIES
+from simkit.urdf.rules.companions import Faulty, ListedController, gains_below, listed_controllers
 from simkit.urdf.rules.plugin_names import joint_advice, moving_joints
 from simkit.urdf.rules.sheet import CompanionKind, Sheet
 from simkit.urdf.rules.vocabulary import nearest
@@ -18,37 +19,9 @@ _GROUP = (
     "JointGroupVelocityController",
     "JointGroupEffortController",
 )
-_NEEDED = {
-    "position_controllers": "PositionJointInterface",
-    "velocity_controllers": "VelocityJointInterface",
-    "effort_controllers": "EffortJointInterface",
-}
-_KINDS = {
-    "position_controllers": (
-        "JointTrajectoryController",
-        "JointPositionController",
-        "JointGroupPositionController",
-    ),
-    "velocity_controllers": (
-        "JointTrajectoryController",
-        "JointVelocityController",
-        "JointPositionController",
-        "JointGroupVelocityController",
-    ),
-    "effort_controllers": (
-        "JointTrajectoryController",
-        "JointEffortController",
-        "JointPositionController",
-        "JointVelocityController",
-        "JointGroupEffortController",
-        "JointGroupPositionController",
-    ),
-    "joint_state_controller": ("JointStateController",),
-    "pos_vel_controllers": ("JointTrajectoryController",),
-    "pos_vel_acc_controllers": ("JointTrajectoryController",),
-}
-TYPES = tuple(f"{family}/{kind}" for family, kinds in _KINDS.items() for kind in kinds)
-"""Types of controllers that simkit has."""
+_NEEDED = {family: interface for interface, family in FAMILIES.items()}
+_TYPES = tuple(CONTROLLER_TYPES)
+_SOME = [f"{family}/JointTrajectoryController" for family in FAMILIES.values()]
 _ELSEWHERE = (
     "diff_drive_controller/DiffDriveController",
     "position_controllers/GripperActionController",
@@ -68,7 +41,7 @@ def controller_faults(sheet: Sheet, offered: Mapping[str, str | None]) -> Iterat
     for companion in sheet.companions:
         if companion.kind is not CompanionKind.YAML:
             continue
-        found = controllers(companion)
+        found = listed_controllers(companion)
         if isinstance(found, Faulty):
             yield Find(
                 found.span,
@@ -105,7 +78,7 @@ def gains(sheet: Sheet) -> Iterator[Find]:
           pid: {p: 100.0, i: 0.01, d: 10.0}
     """
     for companion in sheet.companions:
-        found = controllers(companion) if companion.kind is CompanionKind.YAML else []
+        found = listed_controllers(companion) if companion.kind is CompanionKind.YAML else []
         if isinstance(found, Faulty):
             continue
         for controller in found:
@@ -145,8 +118,8 @@ def _type_faults(controller: ListedController, moving: list[str]) -> Iterator[Fi
             remedy="Add type: position_controllers/JointTrajectoryController, or whichever it is.",
         )
         return
-    if kind.text not in TYPES:
-        near = None if kind.text in _ELSEWHERE else nearest(kind.text, TYPES)
+    if kind.text not in _TYPES:
+        near = None if kind.text in _ELSEWHERE else nearest(kind.text, _TYPES)
         family = kind.text.partition("/")[0]
         is_foreign = kind.text in _ELSEWHERE or (near is None and family not in _NEEDED)
         yield Find(
@@ -156,7 +129,7 @@ def _type_faults(controller: ListedController, moving: list[str]) -> Iterator[Fi
             what=f"there is no controller of type {quoted(kind.text)}{' in simkit' if is_foreign else ''}",
             here="simkit refuses to load the controller.",
             gazebo="Gazebo loads it if it is installed, else it says: controller type does not exist.",
-            remedy=meant([near]).strip() if near else f"Some of them: {listed(TYPES, 3)}.",
+            remedy=meant([near]).strip() if near else f"Some of them: {listed(_SOME)}.",
         )
     yield from _no_joints(controller, kind.text.rpartition("/")[2], moving)
 

@@ -10,7 +10,7 @@ from simkit.urdf.rules.drive_facts import Drive, Wheel, drives, middle_of
 from simkit.urdf.rules.entries import BodyEntry, LinkEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.vocabulary import tag_value
-from simkit.urdf.rules.wording import quoted, read_number, short, triple
+from simkit.urdf.rules.wording import four_digits, quoted, read_number, triple
 from simkit.xml import Element
 
 _NEAR = 0.001
@@ -79,11 +79,11 @@ def wheel_sizes(sheet: Sheet) -> Iterator[Find]:
     for drive in drives(sheet):
         apart = abs(middle_of(drive.left)[1] - middle_of(drive.right)[1])
         if apart > _NEAR:
-            what = f"the wheels are {short(apart)} m apart"
+            what = f"the wheels are {four_digits(apart)} m apart"
             yield from _size(drive, "wheelSeparation", apart, what, "turns", grows=True)
         radii = [wheel.radius for wheel in drive.wheels if wheel.radius is not None]
         if len(radii) == len(drive.wheels) and max(radii) <= min(radii) * (1.0 + _TOLD):
-            what = f"the wheels have a diameter of {short(2 * radii[0])} m (radius {short(radii[0])} m)"
+            what = f"the wheels have a diameter of {four_digits(2 * radii[0])} m (radius {four_digits(radii[0])} m)"
             yield from _size(drive, "wheelDiameter", 2 * radii[0], what, "drives", grows=False)
 
 
@@ -109,14 +109,14 @@ def _side_fault(drive: Drive) -> tuple[Severity, Wheel, str, str] | None:
     if is_swapped and is_forward:
         return Severity.WARNING, first, *_swapped(drive, left[1], right[1])
     if is_swapped:
-        what = f"the front of the robot is at -x: its left wheel has y = {short(left[1])} m, and its wheels turn about -y"
+        what = f"the front of the robot is at -x: its left wheel has y = {four_digits(left[1])} m, and its wheels turn about -y"
         return Severity.NOTE, first, what, "Right if you mean so; by REP 103 x points to the front."
     return None if is_forward else (Severity.WARNING, first, *_backward(first))
 
 
 def _swapped(drive: Drive, left: float, right: float) -> tuple[str, str]:
     """What is wrong, and the remedy, if the left wheel is at the right and they roll forward; y of both [m]."""
-    places = f"y = {short(left)} m is to the right of y = {short(right)} m"
+    places = f"y = {four_digits(left)} m is to the right of y = {four_digits(right)} m"
     what = f"the left and the right wheel are swapped ({places}): told to turn left (+angular.z), the robot turns right"
     names = [quoted(wheel.joint.name).strip("'") for wheel in (drive.right[0], drive.left[0])]
     swap = f"<leftJoint>{names[0]}</leftJoint> and <rightJoint>{names[1]}</rightJoint>"
@@ -140,17 +140,18 @@ def _size(
     factor = told / real if grows else real / told
     given = drive.plugin.parameter(name)
     stands = (
-        f"<{name}> is {short(told)} m"
+        f"<{name}> is {four_digits(told)} m"
         if given is not None
-        else f"<{name}> is not given, so {short(told)} m"
+        else f"<{name}> is not given, so {four_digits(told)} m"
     )
     yield Find(
         (given.text_span or given) if given is not None else drive.plugin.element,
         severity=Severity.WARNING if abs(told / real - 1.0) > _BAD else Severity.NOTE,
         element=drive.place(name),
         what=f"{stands}, but {what}",
-        both=f"The robot {verb} {short(factor)} times as fast as it is told; odometry from the wheels is off by that factor.",
-        remedy=f"Write <{name}>{short(real)}</{name}>.",
+        both=f"The robot {verb} {four_digits(factor)} times as fast as it is told; odometry from the wheels is off by that "
+        "factor.",
+        remedy=f"Write <{name}>{four_digits(real)}</{name}>.",
         related=[
             (drive.left[0].joint.element, "the left wheel"),
             (drive.right[0].joint.element, "the right wheel"),
@@ -192,10 +193,12 @@ def weak_wheels(sheet: Sheet) -> Iterator[Find]:
         if pull >= _PULL:
             continue
         needed = masses * _PULL * radii[0] / len(radii) + max(map(_joint_friction, drive.wheels))
-        gain = f"speeds up the robot of {short(masses)} kg by {short(pull)} m/s² at best"
+        gain = (
+            f"speeds up the robot of {four_digits(masses)} kg by {four_digits(pull)} m/s² at best"
+        )
         what = gain if pull > 0.0 else "does not overcome the friction in the joints"
         yield _weak(
-            drive, place, f"a torque of {short(torque)} N m at each wheel {what}", 2 * needed
+            drive, place, f"a torque of {four_digits(torque)} N m at each wheel {what}", 2 * needed
         )
 
 
@@ -211,7 +214,7 @@ def _weak(drive: Drive, place: Element, what: str, enough: float) -> Find:
         severity=Severity.WARNING if is_read else Severity.NOTE,
         what=what,
         both=follows,
-        remedy=f"Write at least <{name}>{short(enough)}</{name}>.",
+        remedy=f"Write at least <{name}>{four_digits(enough)}</{name}>.",
     )
 
 
@@ -291,6 +294,7 @@ def _caster(link: LinkEntry, collision: BodyEntry, friction: float) -> Find:
         remedy += ", which counts for all shapes of the link; or give the caster a link of its own"
     return Find(
         collision.element,
-        what=f"{name} stands on the floor beside the wheels, cannot roll, and has a friction of {short(friction)}: it drags",
+        what=f"{name} stands on the floor beside the wheels, cannot roll, and has a friction of {four_digits(friction)}: it "
+        "drags",
         remedy=f"{remedy}.",
     )

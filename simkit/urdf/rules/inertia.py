@@ -8,13 +8,13 @@ from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.geometry import IDENTITY_MATRIX, Matrix
 from simkit.urdf.inertia import (
     ROUNDED,
+    eigenvalues,
     gyration_radius,
     is_positive_definite,
     shape_tensor,
     triangle_ratio,
     turned,
 )
-from simkit.urdf.matrix import eigenvalues
 from simkit.urdf.model import Box, Cylinder
 from simkit.urdf.placed_shape import PlacedShape, Primitive
 from simkit.urdf.rules.bodies import (
@@ -25,12 +25,12 @@ from simkit.urdf.rules.bodies import (
     lumps,
     mass_of,
     reach,
-    shapes_of,
+    simple_parts,
     tensor_of,
 )
 from simkit.urdf.rules.entries import LinkEntry
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.wording import called, short, tensor_text
+from simkit.urdf.rules.wording import called, four_digits, tensor_text
 from simkit.xml import Element
 
 _SHAKES = (
@@ -70,14 +70,14 @@ def impossible_inertia(sheet: Sheet) -> Iterator[Find]:
             continue
         low, middle, high = eigenvalues(tensor)
         if not is_positive_definite(tensor):
-            why = f"a principal moment is {short(low)}, and must be more than 0"
+            why = f"a principal moment is {four_digits(low)}, and must be more than 0"
         else:
-            why = f"a principal moment of {short(high)} is more than the other two together, "
-            why += f"{short(low)} + {short(middle)}"
+            why = f"a principal moment of {four_digits(high)} is more than the other two together, "
+            why += f"{four_digits(low)} + {four_digits(middle)}"
         if is_possible(_without_products(tensor)):
             why += "; without ixy, ixz and iyz it would be possible"
         yield Find(
-            _tensor_element(link),
+            tensor_element(link),
             severity=Severity.WARNING
             if counts(lump_of.get(link.name or ""), link)
             else Severity.NOTE,
@@ -110,9 +110,9 @@ def zero_inertia(sheet: Sheet) -> Iterator[Find]:
         lump = lump_of.get(link.name or "")
         is_carried = lump is not None and _others_have_inertia(lump, link)
         yield Find(
-            _tensor_element(link),
+            tensor_element(link),
             severity=Severity.NOTE if is_carried else Severity.WARNING,
-            what=f"{called(link.element)} has a mass of {short(mass_of(link))} kg and an inertia of zero",
+            what=f"{called(link.element)} has a mass of {four_digits(mass_of(link))} kg and an inertia of zero",
             here="It is one body with its parent, which has an inertia." if is_carried else _SHAKES,
             gazebo="Gazebo makes one body of it and its parent: only its own share is missing."
             if is_carried
@@ -151,10 +151,10 @@ def identity_inertia(sheet: Sheet) -> Iterator[Find]:
         is_too_wide = size > 0.0 and gyration_radius(tensor, mass_of(link)) > size
         is_bad = is_too_wide and counts(lump_of.get(link.name or ""), link)
         yield Find(
-            _tensor_element(link),
+            tensor_element(link),
             severity=Severity.WARNING if is_bad else Severity.NOTE,
-            what=f"{called(link.element)} has the inertia 1, 1, 1: numbers of a template, not of {short(mass_of(link))} kg"
-            + (f" that reaches {short(size)} m" if is_too_wide else ""),
+            what=f"{called(link.element)} has the inertia 1, 1, 1: numbers of a template, not of {four_digits(mass_of(link))} kg"
+            + (f" that reaches {four_digits(size)} m" if is_too_wide else ""),
             remedy=tensor_remedy(link),
         )
 
@@ -179,9 +179,7 @@ def tensor_remedy(link: LinkEntry) -> str:
     fitting = fitting_tensor(link)
     if fitting is None:
         return "Take that of the shape: box m (y² + z²) / 12 and so on, cylinder m (3 r² + h²) / 12 and m r² / 2, ball 2/5 m r²."
-    return (
-        f"Its shape, filled evenly with its {short(mass_of(link))} kg, has {tensor_text(fitting)}."
-    )
+    return f"Its shape, filled evenly with its {four_digits(mass_of(link))} kg, has {tensor_text(fitting)}."
 
 
 def _written(link: LinkEntry) -> Matrix | None:
@@ -189,7 +187,8 @@ def _written(link: LinkEntry) -> Matrix | None:
     return tensor_of(link.inertial) if link.inertial is not None and mass_of(link) else None
 
 
-def _tensor_element(link: LinkEntry) -> Element:
+def tensor_element(link: LinkEntry) -> Element:
+    """Where the tensor of a link stands."""
     return link.element if link.inertial is None else link.inertial.inertia_element or link.element
 
 
@@ -242,7 +241,7 @@ def odd_moment(sheet: Sheet) -> Iterator[Find]:
             yield Find(
                 Part(element, name),
                 what=f"the inertia of {called(link.element)} is that of its {_words(shape.shape)}, but for {name}: "
-                f"{short(written[odd][odd])} instead of {short(formula[odd][odd])}",
+                f"{four_digits(written[odd][odd])} instead of {four_digits(formula[odd][odd])}",
                 remedy=f"Write {tensor_text(formula)}.",
             )
             break
@@ -255,7 +254,7 @@ def has_odd_moment(link: LinkEntry, written: Matrix) -> bool:
 
 def _odd(link: LinkEntry, written: Matrix) -> Iterator[tuple[PlacedShape, Matrix, int]]:
     """The shapes of a link that two of its three moments belong to, their tensors, and which moment is off."""
-    for shape in shapes_of((*link.collisions, *link.visuals)[:_MOST_SHAPES]):
+    for shape in simple_parts((*link.collisions, *link.visuals)[:_MOST_SHAPES]):
         formula = _formula(link, shape)
         odd = None if formula is None else _odd_axis(written, formula)
         if formula is not None and odd is not None:
@@ -282,8 +281,8 @@ def _odd_axis(written: Matrix, formula: Matrix) -> int | None:
 def _words(shape: Primitive) -> str:
     match shape:
         case Box():
-            return f"box of {' x '.join(short(side) for side in shape.size)} m"
+            return f"box of {' x '.join(four_digits(side) for side in shape.size)} m"
         case Cylinder():
-            return f"cylinder of radius {short(shape.radius)} and length {short(shape.length)} m"
+            return f"cylinder of radius {four_digits(shape.radius)} and length {four_digits(shape.length)} m"
         case _:
-            return f"ball of radius {short(shape.radius)} m"
+            return f"ball of radius {four_digits(shape.radius)} m"

@@ -10,7 +10,7 @@ from simkit.geometry import Vector
 from simkit.urdf.rules.entries import JointEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.vocabulary import meant_attribute
-from simkit.urdf.rules.wording import called, listed, meant, number_text, numbers_text, quoted
+from simkit.urdf.rules.wording import called, listed, meant, numbers_text, quoted, six_digits
 
 _ROUNDING = 0.01
 "An axis may be longer or shorter than 1 by so much."
@@ -88,7 +88,7 @@ def _not_unit(joint: JointEntry, axis: Vector, length: float) -> Find:
     return Find(
         Part(element, "xyz"),
         severity=Severity.NOTE,
-        what=f"the axis of {called(joint.element)} has length {number_text(length)}, not 1",
+        what=f"the axis of {called(joint.element)} has length {six_digits(length)}, not 1",
         remedy=f'Only its direction counts: write xyz="{unit}". To turn the axis, turn the joint: <origin rpy="..."/>.',
         both="It is normalised to length 1.",
     )

@@ -8,7 +8,7 @@ from pathlib import PurePosixPath
 
 from simkit.diagnostics import Find, Part, Related, Severity, rule
 from simkit.diagnostics.table import related
-from simkit.urdf.rules.companions import DESCRIPTION, is_known, launch_files
+from simkit.urdf.rules.companions import DESCRIPTION, companion_launches, is_known
 from simkit.urdf.rules.sheet import CompanionKind, Sheet
 from simkit.urdf.rules.wording import quoted, shown
 from simkit.xml import Element, Span
@@ -43,7 +43,7 @@ def description_missing(sheet: Sheet) -> Iterator[Find]:
         <node name="spawn_urdf" pkg="gazebo_ros" type="spawn_model"
               args="-param robot_description -urdf -model hello_ros_robot"/>
     """
-    for launch in launch_files(sheet):
+    for launch in companion_launches(sheet):
         if any(_may_set_description(one) for one in launch.others):
             continue
         names = launch.names()
@@ -85,7 +85,7 @@ def other_description(sheet: Sheet) -> Iterator[Find]:
         <param name="robot_description" textfile="$(find hello_ros)/urdf/hello_ros_robot_2.urdf"/>
     """
     own = _own_name(sheet)
-    for launch in launch_files(sheet):
+    for launch in companion_launches(sheet):
         for parameter in launch.parameters:
             source = parameter.get("textfile") or parameter.get("command") or ""
             if (parameter.get("name") or "").rpartition("/")[2] != DESCRIPTION:
@@ -129,7 +129,7 @@ def description_command(sheet: Sheet) -> Iterator[Find]:
 
         <param name="robot_description" textfile="$(find my_robot_urdf)/urdf/m2wr.urdf"/>
     """
-    for launch in launch_files(sheet):
+    for launch in companion_launches(sheet):
         for parameter in launch.parameters:
             command = parameter.attribute("command")
             text = "" if command is None else _SUBSTITUTION.sub("x", command.value)
@@ -183,7 +183,7 @@ def launch_xml(sheet: Sheet) -> Iterator[Find]:
 
         <rosparam file="$(find hello_ros)/urdf/controllers_simple.yaml" command="load"/>
     """
-    for launch in launch_files(sheet):
+    for launch in companion_launches(sheet):
         for fault in launch.document.faults:
             yield Find(
                 fault.span,
@@ -216,7 +216,7 @@ def old_gui_switch(sheet: Sheet) -> Iterator[Find]:
 
         <node name="joint_state_publisher_gui" pkg="joint_state_publisher_gui" type="joint_state_publisher_gui"/>
     """
-    for launch in launch_files(sheet):
+    for launch in companion_launches(sheet):
         every = [] if launch.document.root is None else list(launch.document.root.walk())
         for parameter in every:
             if parameter.name != "param" or (parameter.get("name") or "").lstrip("/~") != "use_gui":
@@ -264,7 +264,7 @@ def two_joint_states(sheet: Sheet) -> Iterator[Find]:
         for one in sheet.companions
         if one.kind is CompanionKind.YAML and _CONTROLLER in one.text
     ]
-    for launch in launch_files(sheet):
+    for launch in companion_launches(sheet):
         spawns = any(node.get("type") == "spawn_model" for node in launch.nodes)
         for node in launch.nodes:
             if (node.get("type") or "").startswith("joint_state_publisher") and told and spawns:

@@ -8,7 +8,7 @@ from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.rules.entries import JointEntry, LimitEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.vocabulary import JOINT_TYPES, nearest
-from simkit.urdf.rules.wording import REFUSED, called, number_text, shown
+from simkit.urdf.rules.wording import REFUSED, called, shown, six_digits
 
 _OTHER_NAMES = {
     **dict.fromkeys(("hinge", "rotational", "rotary", "rotation", "rotate", "pivot"), "revolute"),
@@ -31,7 +31,7 @@ _NOT_THERE = {
 
 
 @rule("URDF-E20", "a type of joint that does not exist", Severity.ERROR)
-def unknown_type(sheet: Sheet) -> Iterator[Find]:
+def unknown_joint_type(sheet: Sheet) -> Iterator[Find]:
     """A joint of a type that URDF does not know.
 
     ROS says `Joint [hip] has no known type [revolut]` and refuses the robot. There are six types, in small letters: `fixed`,
@@ -175,7 +175,7 @@ def lower_above_upper(sheet: Sheet) -> Iterator[Find]:
 
 
 def _crossed(joint: JointEntry, limit: LimitEntry, lower: float, upper: float) -> Find:
-    low, high = number_text(lower), number_text(upper)
+    low, high = six_digits(lower), six_digits(upper)
     return Find(
         Part(limit.element, "upper" if limit.element.get("lower") is None else "lower"),
         what=f"{called(joint.element)} has lower {low} above upper {high}",
@@ -187,7 +187,7 @@ def _crossed(joint: JointEntry, limit: LimitEntry, lower: float, upper: float) -
 
 def _no_room(joint: JointEntry, limit: LimitEntry, at: float) -> Find:
     is_default = not (limit.element.get("lower") or limit.element.get("upper"))
-    why = "no lower and upper, so both are 0" if is_default else f"both limits at {number_text(at)}"
+    why = "no lower and upper, so both are 0" if is_default else f"both limits at {six_digits(at)}"
     wide = 'lower="-1.5708" upper="1.5708"' if joint.type == "revolute" else 'lower="0" upper="0.1"'
     return Find(
         Part(limit.element, "lower"),

@@ -10,7 +10,7 @@ from simkit.urdf.rules.bodies import LIGHTEST, Lump, is_world, lumps, mass_of, s
 from simkit.urdf.rules.entries import LinkEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.tree_facts import is_whole
-from simkit.urdf.rules.wording import called, inertial_text, listed, quoted, short
+from simkit.urdf.rules.wording import called, four_digits, inertial_text, listed, quoted
 
 _SMALL_BODY = (
     '<inertial><mass value="0.1"/>'
@@ -204,10 +204,10 @@ def _density(sheet: Sheet) -> float | None:
 def _negative(link: LinkEntry, mass: float) -> Find:
     return Find(
         _mass_value(link),
-        what=f"{called(link.element)} has a mass of {short(mass)} kg",
+        what=f"{called(link.element)} has a mass of {four_digits(mass)} kg",
         here="simkit refuses to simulate the robot.",
         gazebo="Newer Gazebo refuses the link (error 18, invalid inertia); in older ones it flies apart.",
-        remedy=f"Write {short(-mass)} if only the sign slipped in: a mass is more than 0 kg.",
+        remedy=f"Write {four_digits(-mass)} if only the sign slipped in: a mass is more than 0 kg.",
     )
 
 
@@ -216,7 +216,7 @@ def _zero(sheet: Sheet, link: LinkEntry, lump: Lump | None, density: float | Non
     shapes = solid(link)
     remedy = "Write its mass in kilograms; or tie it by a fixed joint to a link with mass, if it is only a frame."
     if shapes and density is not None:
-        guess = short(density * sum(volume(one.shape) for one in shapes))
+        guess = four_digits(density * sum(volume(one.shape) for one in shapes))
         remedy = f"Write its mass in kilograms: as dense as the other links, its shape weighs {guess} kg."
     return Find(
         _mass_value(link),

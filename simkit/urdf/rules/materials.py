@@ -12,11 +12,11 @@ from simkit.urdf.rules.vocabulary import meant_attribute
 from simkit.urdf.rules.wording import (
     meant,
     mended,
-    number_text,
     numbers_text,
     quoted,
     read_number,
     shown,
+    six_digits,
 )
 from simkit.xml import Attribute, Element
 
@@ -187,7 +187,7 @@ def _scaled(numbers: list[float]) -> str:
     full = 1.0 if top <= _MOST_CUT or top > 255.0 else 100.0 if top == 100.0 else 255.0
     opacity = opacity / (255.0 if opacity > 100.0 else 100.0) if opacity > 1.0 else opacity
     scaled = [*(value / full for value in colour), opacity]
-    return " ".join(number_text(round(min(max(value, 0.0), 1.0), 3)) for value in scaled)
+    return " ".join(six_digits(round(min(max(value, 0.0), 1.0), 3)) for value in scaled)
 
 
 def _bad(color: Element, written: Attribute | None, what: str, right: str) -> Find:

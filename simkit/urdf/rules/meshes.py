@@ -13,7 +13,7 @@ from simkit.urdf.meshes import MeshFinder
 from simkit.urdf.model import Mesh
 from simkit.urdf.rules.entries import BodyEntry
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.wording import number_text, numbers_text, part_of, shown
+from simkit.urdf.rules.wording import numbers_text, part_of, shown, six_digits
 from simkit.xml import Attribute, Element
 
 _LARGEST_BYTES = 20_000_000
@@ -233,13 +233,13 @@ class _Looker:
             return
         factor = 0.001 if size > _LARGEST else 1000.0
         scale = numbers_text(number * factor for number in shape.scale)
-        right = number_text(size * factor)
+        right = six_digits(size * factor)
         fits = _SMALLEST < size * factor < _LARGEST
         yield Find(
             element.attribute("scale") or attribute,
             severity=Severity.WARNING,
             element=element,
-            what=f"the mesh of {part_of(element)} is {number_text(size)} m long",
+            what=f"the mesh of {part_of(element)} is {six_digits(size)} m long",
             remedy=f'If it is drawn in millimetres, write scale="{scale}": then it is {right} m long.'
             if fits and factor < 1
             else f'Check its unit; with scale="{scale}" it is {right} m long.',

@@ -14,11 +14,11 @@ from simkit.urdf.rules.wording import (
     called,
     loss,
     mended,
-    number_text,
     numbers_text,
     part_of,
     read_number,
     shown,
+    six_digits,
 )
 from simkit.urdf.urdfdom.numbers import to_double
 from simkit.xml import Attribute, Element
@@ -235,8 +235,8 @@ def _large(element: Element, attribute: Attribute, size: float) -> Find:
     return Find(
         Part(element, attribute.name),
         severity=Severity.NOTE,
-        what=f"{attribute.name} {number_text(size)} in {part_of(element)} is in metres: that is large for a robot",
-        remedy=f"If millimetres are meant, write {number_text(size / 1000)}; if centimetres, {number_text(size / 100)}.",
+        what=f"{attribute.name} {six_digits(size)} in {part_of(element)} is in metres: that is large for a robot",
+        remedy=f"If millimetres are meant, write {six_digits(size / 1000)}; if centimetres, {six_digits(size / 100)}.",
         both="It is taken for metres.",
     )
 
@@ -251,8 +251,8 @@ def _of_dynamics(joint: JointEntry) -> Iterator[Find]:
         if attribute is not None and value is not None and value < 0.0:
             yield Find(
                 Part(element, attribute.name),
-                what=f"{called(joint.element)} has {name} {number_text(value)}: below zero it drives the joint",
-                remedy=f'Write {name}="{number_text(-value)}".',
+                what=f"{called(joint.element)} has {name} {six_digits(value)}: below zero it drives the joint",
+                remedy=f'Write {name}="{six_digits(-value)}".',
                 here="With physics the joint gains speed by itself.",
                 gazebo="ROS accepts it; in Gazebo the joint gains speed by itself, and the robot explodes.",
             )

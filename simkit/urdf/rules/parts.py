@@ -20,10 +20,10 @@ from simkit.urdf.rules.wording import (
     called,
     loss,
     mended,
-    number_text,
     part_of,
     read_number,
     shown,
+    six_digits,
     tensor_text,
 )
 from simkit.xml import Element
@@ -77,7 +77,7 @@ def _elsewhere(element: Element, name: str, *, only: bool) -> str | None:
     """The value of an attribute that is written otherwise: as SDF does, in an element or as text, or as a diameter."""
     if name == "radius" and element.get("diameter") is not None:
         diameter = read_number(mended(element.get("diameter") or "", 1))
-        return None if diameter is None else number_text(diameter / 2)
+        return None if diameter is None else six_digits(diameter / 2)
     inner = element.child(name)
     text = inner.text if inner is not None else element.text if only else ""
     text = " ".join(text[:200].split())

@@ -30,7 +30,7 @@ from simkit.xml import Element
 _TENSOR = WORDS["inertia"].required
 
 
-def read_link(element: Element) -> LinkEntry:
+def link_entry(element: Element) -> LinkEntry:
     """A `<link>`."""
     parts = meant_children(element, "link")
     inertial = first(parts["inertial"])
@@ -43,7 +43,7 @@ def read_link(element: Element) -> LinkEntry:
     )
 
 
-def read_joint(element: Element) -> JointEntry:
+def joint_entry(element: Element) -> JointEntry:
     """A `<joint>` of the robot."""
     parts = {name: first(found) for name, found in meant_children(element, "joint").items()}
     limit = parts["limit"]
@@ -64,7 +64,7 @@ def read_joint(element: Element) -> JointEntry:
     )
 
 
-def read_material(element: Element, *, is_global: bool) -> MaterialEntry:
+def material_entry(element: Element, *, is_global: bool) -> MaterialEntry:
     """A `<material>`."""
     parts = meant_children(element, "material")
     color, texture = first(parts["color"]), first(parts["texture"])
@@ -78,12 +78,12 @@ def read_material(element: Element, *, is_global: bool) -> MaterialEntry:
     )
 
 
-def read_gazebo(element: Element) -> GazeboEntry:
+def gazebo_entry(element: Element) -> GazeboEntry:
     """A `<gazebo>`."""
     return GazeboEntry(element=element, reference=element.get("reference"))
 
 
-def read_plugins(gazebo: GazeboEntry) -> list[PluginElement]:
+def plugin_elements(gazebo: GazeboEntry) -> list[PluginElement]:
     """The plugins in a `<gazebo>`, in its sensors too."""
     return [
         PluginElement(
@@ -94,7 +94,7 @@ def read_plugins(gazebo: GazeboEntry) -> list[PluginElement]:
     ]
 
 
-def read_transmission(element: Element) -> TransmissionEntry:
+def transmission_entry(element: Element) -> TransmissionEntry:
     """A `<transmission>`."""
     kind = element.child("type")
     return TransmissionEntry(

@@ -14,7 +14,7 @@ from simkit.urdf.rules.bodies import Standing, standing_shapes, zero_pose
 from simkit.urdf.rules.entries import GazeboEntry
 from simkit.urdf.rules.plugin_words import SENSOR_TYPES
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.wording import meant, quoted, read_number, read_numbers, short
+from simkit.urdf.rules.wording import four_digits, meant, quoted, read_number, read_numbers
 from simkit.xml import Element
 
 _TURN = 2.0 * math.pi * 1.05
@@ -100,7 +100,7 @@ def laser_inside(sheet: Sheet) -> Iterator[Find]:
                 yield Find(
                     sensor,
                     what=f"the laser {quoted(sensor.get('name'))} sits inside of the collision shape of {quoted(name)}, "
-                    f"{short(shape.depth(eye.translation))} m deep",
+                    f"{four_digits(shape.depth(eye.translation))} m deep",
                     remedy=f"Move {quoted(block.reference)} out of {quoted(name)}, or raise <min> beyond its shape.",
                 )
                 break
@@ -155,11 +155,11 @@ def _ray_faults(sensor: Element) -> Iterator[tuple[Element, str, str]]:
     for name in ("min_angle", "max_angle"):
         element, angle = _part(flat, name), _number(flat, name)
         if element is not None and angle is not None and abs(angle) > _TURN:
-            what = f"<{name}> is {short(angle)}, which is {short(angle / (2 * math.pi))} turns"
+            what = f"<{name}> is {four_digits(angle)}, which is {four_digits(angle / (2 * math.pi))} turns"
             yield (
                 element,
                 what,
-                f"Angles are radians: {short(angle)}° = {short(math.radians(angle))}.",
+                f"Angles are radians: {four_digits(angle)}° = {four_digits(math.radians(angle))}.",
             )
     reach = _part(sensor, "ray", "range")
     if reach is not None:
@@ -191,7 +191,7 @@ def _swapped(element: Element, low: str, high: str) -> Iterator[tuple[Element, s
             yield part, f"<{name}> is not a number: {quoted(part.text.strip())}", "Write a number."
     if place is None or below is None or above is None or below < above or (below == above == 0.0):
         return
-    what = f"<{low}> is {short(below)}, and <{high}> is {short(above)}"
+    what = f"<{low}> is {four_digits(below)}, and <{high}> is {four_digits(above)}"
     yield place, what, f"Write the smaller one in <{low}>."
 
 

@@ -8,25 +8,30 @@ from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Severity, rule
 from simkit.geometry import Matrix, Transform, Vector, matrix_from_rpy
-from simkit.urdf.inertia import gyration_radius, shape_tensor, turned
-from simkit.urdf.matrix import eigenvalues, product, transpose
+from simkit.urdf.inertia import (
+    eigenvalues,
+    gyration_radius,
+    product,
+    shape_tensor,
+    transpose,
+    turned,
+)
 from simkit.urdf.model import Cylinder
 from simkit.urdf.rules.bodies import (
     counts,
     fitting_tensor,
     frame_of,
+    link_outline,
     lumps,
     mass_of,
-    outline,
     reach,
     solid,
     tensor_of,
 )
 from simkit.urdf.rules.entries import LinkEntry
-from simkit.urdf.rules.inertia import has_odd_moment, is_plausible, tensor_remedy
+from simkit.urdf.rules.inertia import has_odd_moment, is_plausible, tensor_element, tensor_remedy
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.wording import called, short, tensor_text, triple
-from simkit.xml import Element
+from simkit.urdf.rules.wording import called, four_digits, tensor_text, triple
 
 _SAME, _OTHER = 0.03, 0.1
 "Shares of a tensor's trace: entries that differ by less are the same, by more are not."
@@ -138,7 +143,7 @@ def swapped_axes(sheet: Sheet) -> Iterator[Find]:
     """
     for link, written, fitting, severity in _mismatches(sheet, _Mismatch.SWAPPED):
         yield Find(
-            _element(link),
+            tensor_element(link),
             severity=severity,
             what=f"the inertia of {called(link.element)} has its axes mixed up: it has {_moments(written)} about x, y, z, "
             f"its {_shape_name(link)} has {_moments(fitting)}",
@@ -174,10 +179,10 @@ def too_wide(sheet: Sheet) -> Iterator[Find]:
     for link, written, fitting, severity in _mismatches(sheet, _Mismatch.TOO_WIDE):
         mass = mass_of(link)
         yield Find(
-            _element(link),
+            tensor_element(link),
             severity=severity,
-            what=f"the inertia of {called(link.element)} is too large for it: {short(mass)} kg would have to lie "
-            f"{short(gyration_radius(written, mass))} m from the centre, and the link reaches {short(reach(link))} m"
+            what=f"the inertia of {called(link.element)} is too large for it: {four_digits(mass)} kg would have to lie "
+            f"{four_digits(gyration_radius(written, mass))} m from the centre, and the link reaches {four_digits(reach(link))} m"
             + _explained(written, fitting, mass),
             remedy=tensor_remedy(link),
         )
@@ -209,10 +214,10 @@ def other_size(sheet: Sheet) -> Iterator[Find]:
     for link, written, fitting, severity in _mismatches(sheet, _Mismatch.FACTOR):
         factor = _factor(written, fitting)
         word = "larger" if factor > 1.0 else "smaller"
-        size = short(max(factor, 1.0 / factor))
-        is_far = _is_far(factor) and outline(link)
+        size = four_digits(max(factor, 1.0 / factor))
+        is_far = _is_far(factor) and link_outline(link)
         yield Find(
-            _element(link),
+            tensor_element(link),
             severity=severity if is_far else Severity.NOTE,
             what=f"the inertia of {called(link.element)} is up to {size} times {word} than that of its shape"
             + _explained(written, fitting, mass_of(link)),
@@ -246,10 +251,10 @@ def _mismatch(link: LinkEntry, written: Matrix, fitting: Matrix) -> _Mismatch | 
     if has_odd_moment(link, written):
         return None
     size = reach(link)
-    if outline(link) and gyration_radius(written, mass_of(link)) > _WIDER * size:
+    if link_outline(link) and gyration_radius(written, mass_of(link)) > _WIDER * size:
         return _Mismatch.TOO_WIDE
     factor = _factor(written, fitting)
-    limit = _NOTED if outline(link) else _WARNED
+    limit = _NOTED if link_outline(link) else _WARNED
     return None if 1.0 / limit < factor < limit else _Mismatch.FACTOR
 
 
@@ -283,16 +288,12 @@ def _explained(written: Matrix, fitting: Matrix, mass: float) -> str:
         if 0.9 < ratios[0] / factor < 1.1:
             return f"; as if it were written in {unit}"
     is_likely = 0.005 < ratios[0] < 200.0
-    return f"; it fits a mass of {short(mass * ratios[0])} kg" if is_likely else ""
+    return f"; it fits a mass of {four_digits(mass * ratios[0])} kg" if is_likely else ""
 
 
 def _moments(tensor: Matrix) -> str:
-    return ", ".join(short(tensor[axis][axis]) for axis in range(3))
+    return ", ".join(four_digits(tensor[axis][axis]) for axis in range(3))
 
 
 def _shape_name(link: LinkEntry) -> str:
     return "cylinder" if isinstance(solid(link)[0].shape, Cylinder) else "shape"
-
-
-def _element(link: LinkEntry) -> Element:
-    return link.element if link.inertial is None else link.inertial.inertia_element or link.element

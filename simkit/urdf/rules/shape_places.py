@@ -8,10 +8,10 @@ from collections.abc import Iterator, Sequence
 from simkit.diagnostics import Find, Severity, rule
 from simkit.geometry import Vector
 from simkit.urdf.placed_shape import PlacedShape, extent
-from simkit.urdf.rules.bodies import centre_of_mass, is_world, lumps, outline, placed_shape
+from simkit.urdf.rules.bodies import centre_of_mass, is_world, link_outline, lumps, placed_shape
 from simkit.urdf.rules.entries import BodyEntry, LinkEntry
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.wording import called, listed, quoted, short, triple
+from simkit.urdf.rules.wording import called, four_digits, listed, quoted, triple
 
 _OFF = 0.1
 "Shapes whose surfaces differ by less than this share of their size are in the same place."
@@ -59,7 +59,7 @@ def mass_beside_shape(sheet: Sheet) -> Iterator[Find]:
         <collision><origin xyz="0 0 0.25"/> ... </collision>
     """
     for link in sheet.links:
-        centre, shapes = centre_of_mass(link), outline(link)
+        centre, shapes = centre_of_mass(link), link_outline(link)
         if centre is None or not shapes or link.inertial is None:
             continue
         where, distance = max(
@@ -71,7 +71,8 @@ def mass_beside_shape(sheet: Sheet) -> Iterator[Find]:
         middle = (link.collisions or link.visuals)[0].origin.xyz or (0.0, 0.0, 0.0)
         yield Find(
             link.inertial.origin.element or link.inertial.element,
-            what=f"the centre of mass of {called(link.element)} lies {short(distance)} m {where} the link (axes of the link)",
+            what=f"the centre of mass of {called(link.element)} lies {four_digits(distance)} m {where} the link (axes of the "
+            "link)",
             remedy=f'Write <origin xyz="{triple(middle)}"/> in the <inertial>, as the shape has it.',
         )
 
@@ -147,7 +148,7 @@ def seen_elsewhere(sheet: Sheet) -> Iterator[Find]:
                 continue
             yield Find(
                 collision.origin.element or collision.element,
-                what=f"what is touched of {called(link.element)} is {short(distance)} m off what is seen of it",
+                what=f"what is touched of {called(link.element)} is {four_digits(distance)} m off what is seen of it",
                 remedy=f"Give both the same <origin>: {_origin_text(visual)} is that of the visual.",
                 related=[(visual.origin.element or visual.element, "seen here")],
             )

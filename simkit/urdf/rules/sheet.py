@@ -22,12 +22,12 @@ from simkit.urdf.rules.entries import (
     TransmissionEntry,
 )
 from simkit.urdf.rules.reading import (
-    read_gazebo,
-    read_joint,
-    read_link,
-    read_material,
-    read_plugins,
-    read_transmission,
+    gazebo_entry,
+    joint_entry,
+    link_entry,
+    material_entry,
+    plugin_elements,
+    transmission_entry,
 )
 from simkit.urdf.rules.vocabulary import OTHER_TONGUES, WORDS, meant_word
 from simkit.xml import Document, Element, FaultKind, Span, parse_xml
@@ -180,9 +180,9 @@ def read_sheet(
     parts: dict[str, list[Element]] = {word: [] for word in WORDS["robot"].children}
     for word, element in _parts(robot):
         parts[word].append(element)
-    links = tuple(read_link(one) for one in parts["link"])
-    joints = tuple(read_joint(one) for one in parts["joint"])
-    gazebo = tuple(read_gazebo(one) for one in parts["gazebo"])
+    links = tuple(link_entry(one) for one in parts["link"])
+    joints = tuple(joint_entry(one) for one in parts["joint"])
+    gazebo = tuple(gazebo_entry(one) for one in parts["gazebo"])
     return replace(
         empty,
         robot=robot,
@@ -190,8 +190,8 @@ def read_sheet(
         joints=joints,
         materials=_materials(parts["material"], links),
         gazebo=gazebo,
-        plugins=tuple(plugin for block in gazebo for plugin in read_plugins(block)),
-        transmissions=tuple(read_transmission(one) for one in parts["transmission"]),
+        plugins=tuple(plugin for block in gazebo for plugin in plugin_elements(block)),
+        transmissions=tuple(transmission_entry(one) for one in parts["transmission"]),
         link_by_name={name: same[0] for name, same in _grouped(links, _name).items()},
         joint_by_name={name: same[0] for name, same in _grouped(joints, _name).items()},
         joints_below=_grouped(joints, lambda joint: joint.parent),
@@ -226,11 +226,11 @@ def _parts(robot: Element) -> Iterator[tuple[str, Element]]:
 def _materials(
     elements: Iterable[Element], links: Iterable[LinkEntry]
 ) -> tuple[MaterialEntry, ...]:
-    found = [read_material(one, is_global=True) for one in elements]
+    found = [material_entry(one, is_global=True) for one in elements]
     for link in links:
         for visual in link.visuals:
             if visual.material_element is not None:
-                found.append(read_material(visual.material_element, is_global=False))
+                found.append(material_entry(visual.material_element, is_global=False))
     return tuple(found)
 
 

@@ -13,7 +13,7 @@ from simkit.urdf.rules.bodies import is_world, lumps, simple_shapes, standing_sh
 from simkit.urdf.rules.entries import JointEntry, LinkEntry
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.tree_facts import is_whole
-from simkit.urdf.rules.wording import quoted, short
+from simkit.urdf.rules.wording import four_digits, quoted
 from simkit.urdf.wheel import is_wheel
 
 _DEEP = 0.05
@@ -60,10 +60,10 @@ def in_the_floor(sheet: Sheet) -> Iterator[Find]:
     height = _spawn_height(sheet)
     if body is None or lowest + (height or 0.0) > -_BELOW:
         return
-    told = "" if height is None else f", and the launch file spawns it at z = {short(height)}"
+    told = "" if height is None else f", and the launch file spawns it at z = {four_digits(height)}"
     yield Find(
         body.element,
-        what=f"the robot reaches {short(-lowest)} m below its root link (here, with {quoted(name)}){told}",
+        what=f"the robot reaches {four_digits(-lowest)} m below its root link (here, with {quoted(name)}){told}",
         remedy=f"Spawn it with -z {_up(-lowest)} or more.",
     )
 

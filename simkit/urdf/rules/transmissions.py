@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Part, Severity, rule
+from simkit.plugins.control.registry import INTERFACES, POSITION, PREFIX
 from simkit.urdf.rules.entries import TransmissionEntry
 from simkit.urdf.rules.plugin_names import joint_advice, moving_joints
 from simkit.urdf.rules.sheet import Sheet
@@ -15,12 +16,8 @@ from simkit.xml import Element
 CONTROL = "libgazebo_ros_control.so"
 """The plugin that reads transmissions."""
 
-INTERFACES = ("PositionJointInterface", "VelocityJointInterface", "EffortJointInterface")
-"""Hardware interfaces that the plugin knows."""
-
 _READ_ONLY = ("JointStateInterface", "ImuSensorInterface", "ForceTorqueSensorInterface")
 "Interfaces of ros_control that Gazebo's plugin does not offer for a joint."
-_PREFIX = "hardware_interface/"
 _SIMPLE = "transmission_interface/SimpleTransmission"
 _KINDS = ("SimpleTransmission", "DifferentialTransmission", "FourBarLinkageTransmission")
 _SKIPPED = "gazebo_ros_control skips the transmission: the joint cannot be controlled."
@@ -107,7 +104,7 @@ def offered_interfaces(sheet: Sheet) -> dict[str, str | None]:
     for transmission in sheet.transmissions:
         for joint in transmission.joints:
             name, element = joint.get("name"), joint.child("hardwareInterface")
-            text = None if element is None else element.text.strip().removeprefix(_PREFIX)
+            text = None if element is None else element.text.strip().removeprefix(PREFIX)
             if name:
                 found.setdefault(name, text)
     return found
@@ -181,7 +178,7 @@ def _interface_faults(
         yield _no_interface(transmission, joint, bad)
         return
     text = element.text.strip()
-    bare = text.removeprefix(_PREFIX)
+    bare = text.removeprefix(PREFIX)
     if bare not in INTERFACES:
         near = nearest(bare, INTERFACES)
         yield Find(
@@ -190,9 +187,9 @@ def _interface_faults(
             what=f"there is no hardware interface {quoted(text)}",
             here="simkit refuses to control the joint.",
             gazebo="gazebo_ros_control stops: No matching hardware interface found.",
-            remedy=meant([_PREFIX + near]).strip()
+            remedy=meant([PREFIX + near]).strip()
             if near
-            else f"There are: {listed((_PREFIX + one for one in INTERFACES), 3)}.",
+            else f"There are: {listed((PREFIX + one for one in INTERFACES), 3)}.",
         )
     elif bare == text:
         yield Find(
@@ -201,7 +198,7 @@ def _interface_faults(
             what=f"the interface {quoted(text)} is written in the old way",
             here="simkit takes it.",
             gazebo="gazebo_ros_control takes it, and says: Deprecated syntax.",
-            remedy=f"Write {_PREFIX}{shown(text)}.",
+            remedy=f"Write {PREFIX}{shown(text)}.",
         )
 
 
@@ -214,5 +211,5 @@ def _no_interface(transmission: TransmissionEntry, joint: Element, bad: Severity
         what=f"the joint {quoted(joint.get('name'))} of the transmission has no <hardwareInterface>{where}",
         here=_SKIPPED.replace("gazebo_ros_control", "simkit"),
         gazebo=f"No valid hardware interface element found: {_SKIPPED}",
-        remedy=f"Add <hardwareInterface>{_PREFIX}{INTERFACES[0]}</hardwareInterface> to this <joint>.",
+        remedy=f"Add <hardwareInterface>{PREFIX}{POSITION}</hardwareInterface> to this <joint>.",
     )

@@ -9,8 +9,7 @@ from collections.abc import Iterable, Iterator
 from simkit.diagnostics import Severity
 from simkit.diagnostics.table import Loss
 from simkit.geometry import Matrix, Vector, matrix_from_rpy
-from simkit.urdf.inertia import Body, body_of_shapes, turned
-from simkit.urdf.matrix import transpose
+from simkit.urdf.inertia import Body, body_of_shapes, transpose, turned
 from simkit.urdf.model import Rgba
 from simkit.urdf.placed_shape import PlacedShape
 from simkit.urdf.rules.entries import OriginEntry
@@ -46,14 +45,14 @@ def read_rgba(text: str | None) -> Rgba | None:
     return None if numbers is None else (numbers[0], numbers[1], numbers[2], numbers[3])
 
 
-def number_text(number: float) -> str:
+def six_digits(number: float) -> str:
     """A number for people: six digits, no needless zeros, no `-0`."""
     return f"{number + 0.0:.{_SHOWN_DIGITS}g}".replace("e-0", "e-").replace("e+0", "e")
 
 
 def numbers_text(numbers: Iterable[float]) -> str:
     """Several numbers for people, as an attribute would hold them."""
-    return " ".join(number_text(number) for number in numbers)
+    return " ".join(six_digits(number) for number in numbers)
 
 
 def shown(text: str) -> str:
@@ -105,7 +104,7 @@ def _with_unit(word: str) -> str | None:
     number = None if match is None else read_number(match[1])
     if match is None or number is None or match[2] not in _UNITS:
         return None
-    return number_text(number * _UNITS[match[2]])
+    return six_digits(number * _UNITS[match[2]])
 
 
 def _of_pi(word: str) -> str | None:
@@ -230,7 +229,8 @@ def tensor_text(tensor: Matrix) -> str:
     small = _STILL * max(abs(ixx), abs(iyy), abs(izz))
     named = {"ixx": ixx, "ixy": ixy, "ixz": ixz, "iyy": iyy, "iyz": iyz, "izz": izz}
     texts = [
-        f'{name}="{short(0.0 if abs(value) < small else value)}"' for name, value in named.items()
+        f'{name}="{four_digits(0.0 if abs(value) < small else value)}"'
+        for name, value in named.items()
     ]
     return f"<inertia {' '.join(texts)}/>"
 
@@ -249,10 +249,12 @@ def inertial_text(shapes: tuple[PlacedShape, ...], origin: OriginEntry | None, m
         rpy = origin.rpy
         body = Body(mass, body.centre, turned(body.tensor, transpose(matrix_from_rpy(rpy))))
     where = f'<origin xyz="{triple(body.centre)}" rpy="{triple(rpy)}"/>'
-    return f'<inertial>{where}<mass value="{short(mass)}"/>{tensor_text(body.tensor)}</inertial>'
+    return (
+        f'<inertial>{where}<mass value="{four_digits(mass)}"/>{tensor_text(body.tensor)}</inertial>'
+    )
 
 
-def short(number: float) -> str:
+def four_digits(number: float) -> str:
     """A number with four digits."""
     text = f"{number:.4g}"
     return "0" if float(text) == 0.0 else text

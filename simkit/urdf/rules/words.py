@@ -199,61 +199,49 @@ _GAZEBO_WORDS = {
 
 _in_gazebo = '<gazebo reference="{{link}}">{}</gazebo> into the robot'.format
 _COLOUR = 'A colour stands in a <material> of a <visual>: <material name="..."><color rgba="{rgba}"/></material>.'
-_GAZEBO_COLOUR = "URDF knows only <color>; Gazebo takes a <material> of its own, e.g. Gazebo/Orange, from the <gazebo> of the link."
-_ADVICE: Mapping[tuple[str, str], str] = {
-    (
-        "link",
-        "pose",
-    ): "<pose> is SDF, and a link of URDF has no pose: its joint says where it is, and <origin> in a "
+_GAZEBO_COLOUR = (
+    "URDF knows only <color>; Gazebo takes a <material> of its own, e.g. Gazebo/Orange, from the <gazebo> of "
+    "the link."
+)
+_ADVICE: Mapping[str, str] = {
+    "link/pose": "<pose> is SDF, and a link of URDF has no pose: its joint says where it is, and <origin> in a "
     "visual, collision or inertial where that is. Where the robot starts, spawn_model says: -z {height}.",
-    ("", "pose"): "<pose> is SDF; URDF writes {origin}.",
-    ("", "surface"): "<surface> is SDF; friction of a URDF stands in a <gazebo>: write "
+    "/pose": "<pose> is SDF; URDF writes {origin}.",
+    "/surface": "<surface> is SDF; friction of a URDF stands in a <gazebo>: write "
     f"{_in_gazebo('{friction}')}; it holds for all collisions of the link.",
-    ("link", "contact"): "Only Bullet reads it. For friction in Gazebo write "
+    "link/contact": "Only Bullet reads it. For friction in Gazebo write "
     f"{_in_gazebo('<mu1>{lateral}</mu1><mu2>{lateral}</mu2>')}.",
-    ("link", "sensor"): "A sensor stands in a <gazebo>: write "
+    "link/sensor": "A sensor stands in a <gazebo>: write "
     f"{_in_gazebo('<sensor ...>...</sensor>')}.",
-    ("joint", "joint_properties"): "URDF calls it <dynamics {attributes}/>.",
-    **{("joint", name): 'Write <dynamics {name}="{value}"/>.' for name in ("damping", "friction")},
+    "joint/joint_properties": "URDF calls it <dynamics {attributes}/>.",
+    **{f"joint/{name}": 'Write <dynamics {name}="{value}"/>.' for name in ("damping", "friction")},
     **{
-        ("joint", name): 'It is an attribute of <limit>: <limit {name}="{value}" .../>.'
+        f"joint/{name}": 'It is an attribute of <limit>: <limit {name}="{value}" .../>.'
         for name in ("lower", "upper", "effort", "velocity")
     },
-    (
-        "link",
-        "origin",
-    ): "A link has no origin of its own: its joint says where it is. Move it into the <visual>, "
+    "link/origin": "A link has no origin of its own: its joint says where it is. Move it into the <visual>, "
     "<collision> or <inertial>, or into the joint above the link.",
-    **{(place, "color"): _COLOUR for place in ("link", "visual", "robot")},
-    (
-        "collision",
-        "material",
-    ): "A collision is not seen, and has no colour: take it out, or move it into the <visual>.",
-    ("link", "material"): "Move it into the <visual>.",
-    ("geometry", "material"): "Move it out of the <geometry>, into the <visual>.",
-    (
-        "robot",
-        "plugin",
-    ): "A plugin stands in a <gazebo>: <gazebo><plugin ...>...</plugin></gazebo>.",
-    (
-        "link",
-        "plugin",
-    ): "A plugin stands in a <gazebo> of the robot: <gazebo><plugin ...>...</plugin></gazebo>.",
-    ("joint", "hardwareInterface"): "It belongs into a <transmission>.",
-    ("robot", "static"): "It belongs to Gazebo: <gazebo><static>true</static></gazebo>.",
-    ("robot", "include"): 'URDF has no include; xacro has: <xacro:include filename="..."/>.',
-    ("robot", "model"): "<model> is SDF; the robot itself is the model: take it out.",
+    **{f"{place}/color": _COLOUR for place in ("link", "visual", "robot")},
+    "collision/material": "A collision is not seen, and has no colour: take it out, or move it into the <visual>.",
+    "link/material": "Move it into the <visual>.",
+    "geometry/material": "Move it out of the <geometry>, into the <visual>.",
+    "robot/plugin": "A plugin stands in a <gazebo>: <gazebo><plugin ...>...</plugin></gazebo>.",
+    "link/plugin": "A plugin stands in a <gazebo> of the robot: <gazebo><plugin ...>...</plugin></gazebo>.",
+    "joint/hardwareInterface": "It belongs into a <transmission>.",
+    "robot/static": "It belongs to Gazebo: <gazebo><static>true</static></gazebo>.",
+    "robot/include": 'URDF has no include; xacro has: <xacro:include filename="..."/>.',
+    "robot/model": "<model> is SDF; the robot itself is the model: take it out.",
     **{
-        ("material", name): _GAZEBO_COLOUR
+        f"material/{name}": _GAZEBO_COLOUR
         for name in ("ambient", "diffuse", "specular", "emissive", "script")
     },
-    ("collision", "verbose"): "It has no effect any more: take it out.",
+    "collision/verbose": "It has no effect any more: take it out.",
     **{
-        ("link", name): "Nothing of ROS 1 reads it: take it out."
+        f"link/{name}": "Nothing of ROS 1 reads it: take it out."
         for name in ("self_filter", "collision_checking", "self_collision_checking")
     },
 }
-"""What to write instead of an element, by the word that it stands in (any if empty) and its name.
+"""What to write instead of an element, by the word that it stands in (empty: any) and its name.
 
 Most are of SDF, Gazebo's own language, or from another place of URDF.
 """
@@ -261,7 +249,7 @@ Most are of SDF, Gazebo's own language, or from another place of URDF.
 
 def _advice_on(element: Element, context: str) -> str:
     """What to write instead of an element that may not stand where it stands; empty if there is no special advice."""
-    words = _ADVICE.get((context, element.name)) or _ADVICE.get(("", element.name))
+    words = _ADVICE.get(f"{context}/{element.name}") or _ADVICE.get(f"/{element.name}")
     if words is not None:
         return words.format_map(_facts(element))
     if context in ("link", "visual", "collision") and element.name in _GAZEBO_WORDS:

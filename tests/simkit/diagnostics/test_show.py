@@ -17,8 +17,8 @@ from simkit.diagnostics import (
     Severity,
     as_json,
     as_text,
+    count_text,
     in_order,
-    summary,
 )
 from simkit.xml import Span
 
@@ -162,9 +162,9 @@ def test_the_json_of_a_very_long_line_is_short():
 
 def test_the_summary_counts():
     warning = replace(BARE, severity=Severity.WARNING)
-    assert summary([]) == "no faults found"
-    assert summary([LIMIT]) == "1 error"
-    assert summary([BARE, LIMIT, warning, LIMIT, BARE]) == "2 errors, 1 warning, 2 notes"
+    assert count_text([]) == "no faults found"
+    assert count_text([LIMIT]) == "1 error"
+    assert count_text([BARE, LIMIT, warning, LIMIT, BARE]) == "2 errors, 1 warning, 2 notes"
 
 
 def test_finds_are_in_the_order_of_the_text_each_once_the_worst_first():

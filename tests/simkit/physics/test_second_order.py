@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 
 from simkit.physics.second_order import is_balanced
-from simkit.urdf.inertia import Body
-from simkit.urdf.matrix import diagonal
+from simkit.urdf.inertia import Body, diagonal_matrix
 
 SECOND = 1_000_000_000
 
@@ -25,7 +24,7 @@ def is_careful(world, name: str) -> bool:
     ],
 )
 def test_a_wheel_is_balanced_about_its_axis(centre, moments, expected):
-    assert is_balanced(Body(1.0, centre, diagonal(moments)), (0.0, 1.0, 0.0)) is expected
+    assert is_balanced(Body(1.0, centre, diagonal_matrix(moments)), (0.0, 1.0, 0.0)) is expected
 
 
 def test_an_arm_that_swings_is_stepped_carefully(new_world, robot_plan):

@@ -9,21 +9,26 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from simkit.geometry import Transform, matrix_from_rpy
+from simkit.geometry import IDENTITY_MATRIX, Matrix, Transform, matrix_from_rpy
 from simkit.urdf import Box, Cylinder, Pose, Sphere
 from simkit.urdf.inertia import (
     Body,
+    added,
+    apply,
     body_of_shapes,
+    diagonal_matrix,
+    eigenvalues,
     gyration_radius,
     is_positive_definite,
     merged,
-    placed,
+    placed_body,
     point_tensor,
+    product,
     shape_tensor,
+    transpose,
     triangle_ratio,
     turned,
 )
-from simkit.urdf.matrix import diagonal
 from simkit.urdf.placed_shape import PlacedShape
 
 SHAPES = (Box((0.5, 0.3, 0.07)), Cylinder(0.1, 0.4), Sphere(0.2))
@@ -67,18 +72,18 @@ def test_formulas_in_numbers_of_the_book():
 
 @given(_points, _poses)
 def test_merged_points_are_one_body_wherever_they_are_seen_from(points, pose):
-    bodies = [Body(mass, point, diagonal((0.0, 0.0, 0.0))) for mass, point in points]
+    bodies = [Body(mass, point, diagonal_matrix((0.0, 0.0, 0.0))) for mass, point in points]
     frame = pose.transform
-    one, seen = merged(bodies), merged([placed(body, frame) for body in bodies])
+    one, seen = merged(bodies), merged([placed_body(body, frame) for body in bodies])
     assert np.array(one.tensor) == near(tensor_of_points(*zip(*points, strict=True)), size=1e-7)
-    assert np.array(seen.tensor) == near(placed(one, frame).tensor, size=1e-7)
+    assert np.array(seen.tensor) == near(placed_body(one, frame).tensor, size=1e-7)
     assert seen.centre == pytest.approx(frame.apply(one.centre), abs=1e-9)
     assert seen.mass == pytest.approx(one.mass)
 
 
 @given(_points)
 def test_no_body_of_points_breaks_the_triangle_inequality(points):
-    bodies = [Body(mass, point, diagonal((0.0, 0.0, 0.0))) for mass, point in points]
+    bodies = [Body(mass, point, diagonal_matrix((0.0, 0.0, 0.0))) for mass, point in points]
     tensor = merged(bodies).tensor
     if np.linalg.eigvalsh(tensor)[1] > 1e-6:
         assert triangle_ratio(tensor) <= 1.0 + 1e-9
@@ -99,8 +104,8 @@ def test_the_parallel_axis_theorem():
 
 
 def test_lumping_the_car_of_the_book():
-    chassis = Body(1.0, (0.0, 0.0, 0.2), diagonal((0.017, 0.033, 0.043)))
-    ball = Body(0.5, (0.2, 0.0, 0.1), diagonal((0.002, 0.002, 0.002)))
+    chassis = Body(1.0, (0.0, 0.0, 0.2), diagonal_matrix((0.017, 0.033, 0.043)))
+    ball = Body(0.5, (0.2, 0.0, 0.1), diagonal_matrix((0.002, 0.002, 0.002)))
     car = merged([chassis, ball])
     assert car.mass == 1.5
     assert car.centre == pytest.approx((0.0666667, 0.0, 0.1666667), abs=1e-6)
@@ -128,9 +133,54 @@ def test_two_halves_of_a_box_are_the_box():
     ],
 )
 def test_what_is_possible(moments, definite, ratio):
-    assert is_positive_definite(diagonal(moments)) is definite
-    assert triangle_ratio(diagonal(moments)) == ratio
+    assert is_positive_definite(diagonal_matrix(moments)) is definite
+    assert triangle_ratio(diagonal_matrix(moments)) == ratio
 
 
 def test_all_mass_on_a_ring_of_its_radius_of_gyration():
-    assert gyration_radius(diagonal((0.045, 0.045, 0.09)), 1.0) == pytest.approx(0.3)
+    assert gyration_radius(diagonal_matrix((0.045, 0.045, 0.09)), 1.0) == pytest.approx(0.3)
+
+
+# small matrices, against numpy
+
+_entries = st.floats(-1e3, 1e3)
+_rows = st.tuples(_entries, _entries, _entries)
+matrices = st.tuples(_rows, _rows, _rows)
+angles = st.tuples(*[st.floats(-7.0, 7.0)] * 3)
+
+
+def symmetric(matrix: Matrix) -> Matrix:
+    return added(matrix, transpose(matrix))
+
+
+@given(matrices, matrices, _rows)
+def test_products_and_sums_are_those_of_numpy(left, right, vector):
+    assert np.allclose(product(left, right), np.array(left) @ np.array(right), atol=1e-6)
+    assert np.allclose(apply(left, vector), np.array(left) @ np.array(vector), atol=1e-6)
+    assert np.allclose(added(left, right), np.array(left) + np.array(right))
+    assert np.allclose(transpose(left), np.array(left).T)
+
+
+@given(matrices)
+def test_eigenvalues_are_those_of_numpy(matrix):
+    matrix = symmetric(matrix)
+    size = max(1e-300, np.abs(matrix).max())
+    assert np.allclose(eigenvalues(matrix), np.linalg.eigvalsh(matrix), atol=1e-12 * size)
+
+
+@pytest.mark.parametrize("scale", [1e-12, 1e-6, 1.0, 1e6])
+def test_small_eigenvalues_beside_large_ones_keep_their_digits(scale):
+    turn = matrix_from_rpy((0.3, -1.1, 2.0))
+    wanted = (1e-6 * scale, 1e-3 * scale, scale)
+    tensor = product(turn, product(diagonal_matrix(wanted), transpose(turn)))
+    assert eigenvalues(tensor) == pytest.approx(wanted, rel=1e-6)
+
+
+def test_a_diagonal_matrix_has_its_entries_as_eigenvalues_exactly():
+    assert eigenvalues(diagonal_matrix((3.0, 1.0, 2.0))) == (1.0, 2.0, 3.0)
+    assert eigenvalues(IDENTITY_MATRIX) == (1.0, 1.0, 1.0)
+
+
+def test_numbers_that_are_none_do_not_hang_it():
+    found = eigenvalues(((math.inf, 1.0, 2.0), (1.0, math.nan, 3.0), (2.0, 3.0, 4.0)))
+    assert any(math.isnan(value) for value in found)

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from simkit.gazebo.watching.motion import Moment, means, signed, turned
+from simkit.gazebo.watching.motion import Moment, means, signed, turn_between
 
 
 def moment(x: float, y: float, yaw: float, command: tuple[float, float] = (0.0, 0.0)) -> Moment:
@@ -31,8 +31,8 @@ def test_backward_is_negative():
 
 
 def test_a_turn_goes_the_short_way():
-    assert turned(3.0, -3.0) == pytest.approx(math.tau - 6.0)
-    assert turned(-3.0, 3.0) == pytest.approx(6.0 - math.tau)
+    assert turn_between(3.0, -3.0) == pytest.approx(math.tau - 6.0)
+    assert turn_between(-3.0, 3.0) == pytest.approx(6.0 - math.tau)
 
 
 @pytest.mark.parametrize(("speed", "text"), [(0.5, "+0.50"), (-0.5, "-0.50"), (-0.001, "+0.00")])
