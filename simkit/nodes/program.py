@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 from simkit.graph import Node
+
+_NUMBER = re.compile(r"\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
 
 class Program:
@@ -39,3 +42,18 @@ class Program:
         """End the program and leave the graph."""
         self.exit_code = code
         self._node.shutdown()
+
+
+def leading_number(text: str) -> float:
+    """The number that a text begins with; 0 if it begins with none.
+
+    Source:
+        `atof` of C, with which the programs of tf read their arguments.
+    """
+    found = _NUMBER.match(text)
+    return float(found[0]) if found else 0.0
+
+
+def is_number(text: str) -> bool:
+    """Whether the whole text is one number."""
+    return _NUMBER.fullmatch(text) is not None

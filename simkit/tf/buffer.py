@@ -86,7 +86,7 @@ class Buffer:
             TypeError: `time` is a bare number.
         """
         try:
-            found = self.core.lookup(target, source, time=nanoseconds(time))
+            found = self.core.lookup(target, source, time=nanoseconds_of(time))
         except TransformException as error:
             teach(error, self.core)
             raise
@@ -119,8 +119,8 @@ class Buffer:
             found = self.core.lookup_full(
                 target_frame,
                 source_frame,
-                target_time=nanoseconds(target_time),
-                source_time=nanoseconds(source_time),
+                target_time=nanoseconds_of(target_time),
+                source_time=nanoseconds_of(source_time),
                 fixed=fixed_frame,
             )
         except TransformException as error:
@@ -147,7 +147,7 @@ class Buffer:
 
     def can_transform_core(self, target: str, source: str, time: Time) -> tuple[bool, str]:
         """Whether `lookup_transform` would answer, and if not, tf's reason (may be empty)."""
-        return self.core.can_transform(target, source, time=nanoseconds(time))
+        return self.core.can_transform(target, source, time=nanoseconds_of(time))
 
     def can_transform_full_core(
         self,
@@ -161,8 +161,8 @@ class Buffer:
         return self.core.can_transform_full(
             target_frame,
             source_frame,
-            target_time=nanoseconds(target_time),
-            source_time=nanoseconds(source_time),
+            target_time=nanoseconds_of(target_time),
+            source_time=nanoseconds_of(source_time),
             fixed=fixed_frame,
         )
 
@@ -194,7 +194,7 @@ class Buffer:
         self.core.clear()
 
     def _allFramesAsDot(self, time: Time = LATEST) -> str:  # noqa: N802 - tf2's name
-        return self.core.all_frames_as_dot(nanoseconds(time) / 1e9)
+        return self.core.all_frames_as_dot(nanoseconds_of(time) / 1e9)
 
     def _frameExists(self, frame: str) -> bool:  # noqa: N802 - tf2's name
         return self.core.frame_exists(frame)
@@ -214,8 +214,8 @@ class Buffer:
             return self.core.chain(
                 target_frame,
                 source_frame,
-                target_time=nanoseconds(target_time),
-                source_time=nanoseconds(source_time),
+                target_time=nanoseconds_of(target_time),
+                source_time=nanoseconds_of(source_time),
                 fixed=fixed_frame,
             )
         except TransformException as error:
@@ -229,7 +229,7 @@ class Buffer:
             transform.child_frame_id,
             translation=(float(p.x), float(p.y), float(p.z)),
             rotation=(float(q.x), float(q.y), float(q.z), float(q.w)),
-            stamp=nanoseconds(transform.header.stamp),
+            stamp=nanoseconds_of(transform.header.stamp),
             authority=authority,
             static=static,
         )
@@ -245,7 +245,7 @@ class Buffer:
         return message
 
 
-def nanoseconds(time: object) -> int:
+def nanoseconds_of(time: object) -> int:
     """Nanoseconds of a Time, a Duration, or anything that has `to_sec`.
 
     Raises:

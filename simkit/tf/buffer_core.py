@@ -9,9 +9,8 @@ from simkit.geometry import Quaternion, Transform, Vector, canonical
 from simkit.tf import frame_report
 from simkit.tf.admission import is_admissible, objections, without_slash
 from simkit.tf.cache import LATEST
-from simkit.tf.climb import latest_common_time
 from simkit.tf.errors import InvalidArgumentException, LookupException, TransformException
-from simkit.tf.frame_table import NO_FRAME, FrameTable
+from simkit.tf.frame_tree import NO_FRAME, FrameTable, as_lines, latest_common_time
 from simkit.tf.path import StampedTransform, frames_between, transform_between
 from simkit.tf.transformable import TransformableRequests
 
@@ -211,7 +210,7 @@ class BufferCore:
 
     def all_frames_as_string(self) -> str:
         """One line per frame that ever had a parent."""
-        return frame_report.as_lines(self.frames)
+        return as_lines(self.frames)
 
     def all_frames_as_yaml(self, now: float = 0.0) -> str:
         """Parent, broadcaster, rate and stamps of each frame; ages if `now` [s] is given."""

@@ -1,4 +1,4 @@
-"""What a buffer holds, as text: one line per frame, as YAML, and as a graph for graphviz."""
+"""What a buffer holds, as text: as YAML, and as a graph for graphviz."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from simkit.tf.cache import LATEST
-from simkit.tf.frame_table import NO_FRAME, FrameTable
+from simkit.tf.frame_tree import NO_FRAME, FrameTable
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,19 +45,6 @@ def frame_reports(table: FrameTable) -> Iterator[FrameReport]:
             oldest=oldest / 1e9,
             length=(newest - oldest) / 1e9,
         )
-
-
-def as_lines(table: FrameTable) -> str:
-    """One line per frame that ever had a parent.
-
-    Source:
-        tf2 `BufferCore::allFramesAsString`.
-    """
-    return "".join(
-        f"Frame {table.names[number]} exists with parent {table.names[cache.newest_link[1]]}.\n"
-        for number, cache in enumerate(table.caches)
-        if cache is not None and number != NO_FRAME
-    )
 
 
 def as_yaml(table: FrameTable, now: float = 0.0) -> str:

@@ -91,7 +91,7 @@ def _unknown_name(frame: str, core: BufferCore) -> str:
 
 
 def _loop(core: BufferCore) -> str:
-    loop = find_loop(core)
+    loop = frames_in_loop(core)
     if not loop:
         return ""
     return (
@@ -142,7 +142,7 @@ def trees(core: BufferCore) -> dict[str, list[str]]:
     return members
 
 
-def find_loop(core: BufferCore) -> list[str]:
+def frames_in_loop(core: BufferCore) -> list[str]:
     """Frames of a loop, each followed by its parent; empty if there is none."""
     start = next((frame for frame, root in _roots(core).items() if root is None), None)
     passed: dict[str, None] = {}

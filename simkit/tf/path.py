@@ -11,16 +11,17 @@ from typing import Final, NamedTuple
 
 from simkit.geometry import Quaternion, Transform, Vector
 from simkit.tf.cache import LATEST, StaticCache, TimeCache, carried
-from simkit.tf.climb import (
+from simkit.tf.errors import DataGap, ExtrapolationException, TransformException
+from simkit.tf.frame_tree import (
     MAX_DEPTH,
     NEVER,
+    Cache,
     Climb,
+    FrameTable,
     climb,
     latest_common_time,
     unconnected,
 )
-from simkit.tf.errors import DataGap, ExtrapolationException, TransformException
-from simkit.tf.frame_table import Cache, FrameTable
 
 _KEPT: Final = 4096
 "So many ways are kept; a program that asks for ever more of them starts anew."

@@ -1,5 +1,5 @@
 """The programs of the package controller_manager: they talk with the controller manager of a robot.
 
-The manager itself lives in the plugin `libgazebo_ros_control.so`. `routine` lets a program wait and call;
+The manager itself lives in the plugin `libgazebo_ros_control.so`.
 `services` knows the manager's services, and why there are none.
 """

@@ -154,7 +154,7 @@ Routine: TypeAlias = Generator[float | ServiceCall, Any, None]
 """Yields a time to wait [s], or a call; a call gives its response, or raises `ServiceFailed`."""
 
 
-def run(node: Node, routine: Routine, *, after_shutdown: bool = False) -> None:
+def start_routine(node: Node, routine: Routine, *, after_shutdown: bool = False) -> None:
     """Begin a routine; it goes on while its node lives.
 
     Args:

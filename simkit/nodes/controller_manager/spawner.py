@@ -11,7 +11,12 @@ from typing import Any, NoReturn
 from simkit.commands.parameter_yaml import load_parameters
 from simkit.graph import Node, ServiceFailed
 from simkit.msgs import message_class
-from simkit.nodes.controller_manager.services import BEST_EFFORT, ManagerClient, Routine, run
+from simkit.nodes.controller_manager.services import (
+    BEST_EFFORT,
+    ManagerClient,
+    Routine,
+    start_routine,
+)
 from simkit.nodes.program import Program
 
 _LOST = "Controller Spawner couldn't find the expected controller_manager ROS interface."
@@ -69,7 +74,7 @@ class Spawner(Program):
             self._exit(0 if "-h" in argv or "--help" in argv else 2)
             return
         self._manager = ManagerClient(node, self._options.namespace)
-        run(node, self._work())
+        start_routine(node, self._work())
 
     def _work(self) -> Routine:
         try:
@@ -146,7 +151,7 @@ class Spawner(Program):
     def _take_down(self) -> None:
         """Stop and unload the controllers, now that the node leaves."""
         self._node.info("Shutting down spawner. Stopping and unloading controllers...")
-        run(self._node, self._take_down_all(), after_shutdown=True)
+        start_routine(self._node, self._take_down_all(), after_shutdown=True)
 
     def _take_down_all(self) -> Routine:
         node, manager = self._node, self._manager
@@ -190,7 +195,7 @@ class Unspawner(Program):
         self._names = argv
         self._inhibited: list[str] = []
         self._manager = ManagerClient(node)
-        run(node, self._work())
+        start_routine(node, self._work())
 
     def _work(self) -> Routine:
         try:
@@ -202,7 +207,9 @@ class Unspawner(Program):
     def _inhibit(self) -> Routine:
         for service in ("list_controllers", "switch_controller"):
             yield from self._manager.wait_for(service, None)
-        self._node.on_shutdown(lambda: run(self._node, self._start_again(), after_shutdown=True))
+        self._node.on_shutdown(
+            lambda: start_routine(self._node, self._start_again(), after_shutdown=True)
+        )
         while True:
             listed = yield self._manager.list()
             running = [one.name for one in listed.controller if one.state == "running"]

@@ -8,7 +8,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from simkit.graph import Node, ServiceFailed
-from simkit.nodes.controller_manager.services import BEST_EFFORT, ManagerClient, Routine, run
+from simkit.nodes.controller_manager.services import (
+    BEST_EFFORT,
+    ManagerClient,
+    Routine,
+    start_routine,
+)
 from simkit.nodes.program import Program
 
 USAGE = """\
@@ -56,7 +61,7 @@ class ControllerManagerTool(Program):
             self._exit(1 if argv else 0)
             return
         self._manager = ManagerClient(node)
-        run(node, self._work(commands[argv[0]](argv[1:])))
+        start_routine(node, self._work(commands[argv[0]](argv[1:])))
 
     def _work(self, routine: Routine) -> Routine:
         try:

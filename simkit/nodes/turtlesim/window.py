@@ -54,6 +54,6 @@ def pixel(point: Point) -> Point:
     return (min(max(x, -_FAR_PX), _FAR_PX), min(max(y_down, -_FAR_PX), _FAR_PX))
 
 
-def hex_color(color: Rgb) -> str:
+def hex_rgb(color: Rgb) -> str:
     """A colour as `#rrggbb`."""
     return "#" + bytes(color).hex()

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from simkit.graph.process.client import let_time_pass
 from simkit.msgs import Duration, Time
-from simkit.tf.buffer import Buffer, nanoseconds
+from simkit.tf.buffer import Buffer, nanoseconds_of
 from simkit.tf.errors import TransformException
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ class BufferCore:
     """
 
     def __init__(self, cache_time: Duration | None = None) -> None:
-        length = None if cache_time is None else Duration.from_nsec(nanoseconds(cache_time))
+        length = None if cache_time is None else Duration.from_nsec(nanoseconds_of(cache_time))
         self._told: set[str] = set()
         self._buffer = Buffer(length, on_warning=self._warn)
 

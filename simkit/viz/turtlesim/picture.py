@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from simkit.nodes.turtlesim import Frame, Stroke, Turtle
-from simkit.nodes.turtlesim.window import SIDE_PX, Point, hex_color, pixel
+from simkit.nodes.turtlesim.window import SIDE_PX, Point, hex_rgb, pixel
 from simkit.viz.draw.drawing import Area, Drawing, Ellipse, Group, Label, Plain, Polyline, Shape
 from simkit.viz.draw.files import save_as
 from simkit.viz.draw.svg import svg_text
@@ -62,7 +62,7 @@ def _drawing(frame: Frame, *, names: bool) -> Drawing:
     visible = [turtle for turtle in frame.turtles if _is_somewhere(turtle)]
     shapes: list[Shape] = [_trail(stroke) for stroke in frame.paper.strokes]
     shapes += [_body(turtle) for turtle in visible]
-    background = hex_color(frame.paper.background)
+    background = hex_rgb(frame.paper.background)
     if names:
         shapes += [_label(turtle, background) for turtle in visible]
     count = len(visible)
@@ -77,7 +77,7 @@ def _drawing(frame: Frame, *, names: bool) -> Drawing:
 
 def _trail(stroke: Stroke) -> Polyline:
     points = simplified([pixel(point) for point in stroke.points], INVISIBLE_PX)
-    return Polyline(points=tuple(points), color=hex_color(stroke.pen.color), width=stroke.pen.width)
+    return Polyline(points=tuple(points), color=hex_rgb(stroke.pen.color), width=stroke.pen.width)
 
 
 def _body(turtle: Turtle) -> Group:

@@ -12,7 +12,7 @@ from itertools import pairwise
 from typing import Any, Final
 
 from simkit.nodes.turtlesim import Frame, Stroke, Turtle, TurtlePose
-from simkit.nodes.turtlesim.window import METRE_PX, SIDE, SIDE_PX, TICK, TICK_NS, hex_color, pixel
+from simkit.nodes.turtlesim.window import METRE_PX, SIDE, SIDE_PX, TICK, TICK_NS, hex_rgb, pixel
 from simkit.viz.draw.letters import shortened
 from simkit.viz.draw.svg import number, placed, svg_element
 from simkit.viz.draw.thinning import Row, thinned
@@ -89,7 +89,7 @@ def turtle_tape(frame: Frame) -> TurtleTape:
         sheets=tuple(
             TapedSheet(
                 since=max(sheet.from_ns - start_ns, 0) / 1e9,
-                color=hex_color(sheet.background),
+                color=hex_rgb(sheet.background),
                 trails=tuple(_taped_trail(stroke, start_ns) for stroke in sheet.strokes),
             )
             for sheet in frame.paper.sheets
@@ -145,7 +145,7 @@ def _taped_trail(stroke: Stroke, start_ns: int) -> Trail:
             rows.append((setting_off, *rows[-1][1:]))
         rows.append((_seconds(time_ns, start_ns), *pixel(point)))
     return Trail(
-        color=hex_color(stroke.pen.color),
+        color=hex_rgb(stroke.pen.color),
         width=stroke.pen.width,
         track=Track(rows=tuple(thinned(rows, (_PIXELS, _PIXELS)))),
     )

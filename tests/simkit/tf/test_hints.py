@@ -8,7 +8,7 @@ import pytest
 
 from simkit.msgs import Time
 from simkit.tf import Buffer, LookupException, TransformException
-from simkit.tf.hints import attach, find_loop, trees
+from simkit.tf.hints import attach, frames_in_loop, trees
 
 
 @pytest.fixture
@@ -183,7 +183,7 @@ def test_members_by_root(tree):
     tree.put("a", "b", 1.0)
     tree.put("odom", "base", 1.0)
     assert trees(tree.core) == {"world": ["world", "a", "b"], "odom": ["odom", "base"]}
-    assert find_loop(tree.core) == []
+    assert frames_in_loop(tree.core) == []
 
 
 def test_a_loop_has_no_root(tree):
@@ -192,4 +192,4 @@ def test_a_loop_has_no_root(tree):
     tree.put("a", "c", 1.0)
     tree.put("c", "d", 1.0)
     assert trees(tree.core) == {}
-    assert find_loop(tree.core) == ["a", "b"]
+    assert frames_in_loop(tree.core) == ["a", "b"]

@@ -1,8 +1,10 @@
+"""tf_echo of tf, and echo.py of tf2_tools."""
+
 from __future__ import annotations
 
 import pytest
 
-from simkit.nodes.tf_tools import tf_echo
+from simkit.nodes.tf_tools import echo
 
 
 def publish(sim, x="2"):
@@ -66,8 +68,8 @@ def test_two_of_them_at_once(sim):
 @pytest.mark.parametrize(
     ("words", "text"),
     [
-        (["world"], tf_echo.USAGE),
-        (["world", "a", "1", "2"], tf_echo.USAGE),
+        (["world"], echo.USAGE),
+        (["world", "a", "1", "2"], echo.USAGE),
         (["world", "a", "0"], "Echo rate must be > 0.0\n"),
         (["world", "a", "often"], "Echo rate must be > 0.0\n"),
     ],
@@ -78,3 +80,57 @@ def test_wrong_arguments_end_it(sim, words, text):
     assert not echo.alive
     assert echo.program.exit_code == 255
     assert echo.output == text
+
+
+@pytest.fixture
+def tf2_echo(sim, rosrun):
+    rosrun("tf static_transform_publisher 2 0 0 0 0 0 world a 100")
+    sim.run(0.25)
+
+    def run(*words, seconds=2.05):
+        node = sim.rosrun("tf2_tools", "echo.py", *words)
+        sim.run(seconds)
+        return node
+
+    return run
+
+
+def test_of_tf2_what_it_prints(tf2_echo):
+    node = tf2_echo("world", "a", "-r", "2", "-l", "3")
+    assert not node.alive
+    assert node.program.exit_code == 0
+    assert node.output.count("At time") == 3
+    assert node.output.splitlines()[:5] == [
+        "At time 1600088400.8, (current time 1600088400.75)",
+        "- Translation: [2.000, 0.000, 0.000]",
+        "- Rotation: in Quaternion [0.000, 0.000, 0.000, 1.000]",
+        "            in RPY (radian) [0.000, -0.000, 0.000]",
+        "            in RPY (degree) [0.000, -0.000, 0.000]",
+    ]
+
+
+def test_of_tf2_an_offset_a_time_and_a_precision(tf2_echo, said):
+    assert "[2.0, 0.0, 0.0]" in tf2_echo("world", "a", "-o", "-0.1", "-p", "1").output
+    assert "At time 1600088402.5," in tf2_echo("world", "a", "-t", "1600088402.5").output
+    tf2_echo("world", "a", "-o", "5", "-c", "5")
+    assert "extrapolation" in said("ERROR")[-1]
+    assert said("ERROR")[-1].startswith("(current time ")
+
+
+def test_of_tf2_unknown_frames_are_told_of_and_it_goes_on(tf2_echo, said):
+    node = tf2_echo("world", "b")
+    assert node.alive
+    assert said("ERROR")[0].startswith("At time 0.0, (current time 1600088401.25) ")
+
+
+def test_of_tf2_a_slash_ends_it(tf2_echo):
+    node = tf2_echo("/world", "a")
+    assert node.program.exit_code == 1
+    assert node.output.splitlines()[-1].startswith('hint: Write "world"')
+
+
+@pytest.mark.parametrize("words", [["world"], ["world", "a", "-r", "0"], ["world", "a", "-l", "x"]])
+def test_of_tf2_wrong_words_end_it(tf2_echo, words):
+    node = tf2_echo(*words)
+    assert node.program.exit_code == 2
+    assert "echo.py: error:" in node.output

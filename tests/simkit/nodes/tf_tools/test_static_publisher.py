@@ -7,7 +7,7 @@ import math
 import pytest
 
 from simkit.msgs import Time
-from simkit.nodes.tf_tools import tf2_static_publisher, tf_static_publisher
+from simkit.nodes.tf_tools import static_publisher
 
 PACKAGES = {"tf": ["100"], "tf2_ros": []}
 
@@ -91,7 +91,7 @@ def test_the_order_of_angles_is_told_where_it_matters(sim, said, package):
 
 @pytest.mark.parametrize(
     ("package", "usage"),
-    [("tf", tf_static_publisher.USAGE), ("tf2_ros", tf2_static_publisher.USAGE)],
+    [("tf", static_publisher.TF_USAGE), ("tf2_ros", static_publisher.TF2_USAGE)],
 )
 @pytest.mark.parametrize("words", ["", "1 0 0", "1 0 0 0 0 0 0 0 0 world a b c"])
 def test_a_wrong_number_of_words(sim, said, package, usage, words):
