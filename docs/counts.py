@@ -141,9 +141,14 @@ def docstring_lines(scope: ast.AST) -> range:
 
 
 def headless() -> str:
-    """What a robot that is spawned by a launch file loads, in words."""
-    command = [sys.executable, "-c", HEADLESS]
-    printed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    """What a robot that is spawned by a launch file loads, in words; counted with the Python of `.venv`, if there is one."""
+    pythons = (ROOT / ".venv/bin/python", ROOT / ".venv/Scripts/python.exe")
+    python = next((str(path) for path in pythons if path.exists()), sys.executable)
+    done = subprocess.run([python, "-c", HEADLESS], cwd=ROOT, capture_output=True, text=True)
+    if done.returncode:
+        why = (done.stderr.strip().splitlines() or ["no words"])[-1]
+        return f"not counted, for {python} cannot run it ({why}); `make` prepares a .venv that can"
+    printed = done.stdout
     modules, views, heavy = json.loads(printed.splitlines()[-1])
     return (
         f"{modules} modules of simkit, {views} of the view, {', '.join(heavy) or 'nothing heavy'}"

@@ -15,12 +15,10 @@ from simkit.commands.errors import FAILURE, USAGE_ERROR
 from simkit.commands.graph_facts import nodes
 from simkit.commands.parser import LineParser
 from simkit.commands.rosrun import LAST_WORDS
-from simkit.commands.run_options import take_options, wants_own_simulation
 from simkit.commands.table import COMMANDS, Entry, TerminalPlace
 from simkit.diagnostics import Layout
 from simkit.errors import SimkitError
 from simkit.live import Host, Job, Session, SessionError, call, find_session
-from simkit.live.windows import show_windows
 from simkit.packages import PackagePath
 from simkit.simulation import Simulation
 
@@ -58,9 +56,9 @@ def _run_hosted(entry: Entry, words: Sequence[str]) -> int:
     module.add_options(parser)
     module.add_arguments(parser)
     arguments = parser.parse_args(words)
-    rest = take_options(arguments, arguments.words, module.add_options, program=program)
+    rest = _take_options(arguments, arguments.words, module.add_options, program=program)
     own = module.own_words(arguments, rest)
-    alone = entry.name in _JOINABLE and wants_own_simulation(arguments)
+    alone = entry.name in _JOINABLE and _wants_own_simulation(arguments)
     if not alone and running_session() is not None:
         if entry.name not in _JOINABLE:
             raise SimkitError(
@@ -68,6 +66,33 @@ def _run_hosted(entry: Entry, words: Sequence[str]) -> int:
             )
         return elsewhere([entry.name, *own])
     return _run_here(entry, own, arguments, alone=alone)
+
+
+def _wants_own_simulation(arguments: argparse.Namespace) -> bool:
+    """Whether an option asks for a simulation that nobody else joins."""
+    return bool(arguments.fast or arguments.seconds is not None or arguments.seed is not None)
+
+
+def _take_options(
+    arguments: argparse.Namespace,
+    words: list[str],
+    add_options: Callable[[argparse.ArgumentParser], None],
+    *,
+    program: str,
+) -> list[str]:
+    """The words that are not options of ours; the options among them move to `arguments`.
+
+    Args:
+        arguments: Takes the options.
+        words: What stands behind the first word that is no option; all behind `--` stays as it is.
+        add_options: Adds the options to a parser.
+        program: Who complains, e.g. `simkit rosrun`.
+    """
+    at = words.index("--") if "--" in words else len(words)
+    parser = LineParser(program, add_help=False, argument_default=argparse.SUPPRESS)
+    add_options(parser)
+    _, own = parser.parse_known_args(words[:at], arguments)
+    return own + words[at + 1 :]
 
 
 def _run_here(
@@ -79,7 +104,7 @@ def _run_here(
             Call(
                 simulation=sim,
                 words=words,
-                show_windows=lambda nodes: show_windows(sim, nodes),
+                show_window=sim.serve_window_of,
                 opening=f"started a simulation{others}\n\n",
                 hosts=not alone,
             ),

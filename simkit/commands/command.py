@@ -18,8 +18,7 @@ from simkit.errors import SimkitError, near_names
 
 if TYPE_CHECKING:
     from simkit.graph import Graph
-    from simkit.graph.process import ScriptNode
-    from simkit.nodes.builtin import RunningBuiltin
+    from simkit.launch.process import NodeHandle
     from simkit.simulation import Simulation
 
 Write = Callable[[str], None]
@@ -56,16 +55,18 @@ Answer: TypeAlias = Generator["str | Wait | Keys", None, Any]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Bounds:
-    """When a command ends that in a terminal goes on until Ctrl-C."""
+    """When a command ends that in a terminal goes on until Ctrl-C; the nodes that it has started go on."""
 
     seconds: float = 10.0
     "So much virtual time [s]."
     messages: int | None = None
     "So many messages; any number if None."
+    start: float = 0.5
+    "How long to watch a node that was started, so that its first faults show [s]."
 
 
-UNBOUNDED = Bounds(seconds=math.inf)
-"""In a terminal: until Ctrl-C."""
+UNBOUNDED = Bounds(seconds=math.inf, start=math.inf)
+"""In a terminal: until Ctrl-C, which ends the nodes too."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -78,9 +79,8 @@ class Call:
     "The words after the command's name."
     bounds: Bounds = UNBOUNDED
     "When it ends if nothing else ends it."
-    show_windows: Callable[[Sequence[ScriptNode | RunningBuiltin]], None] = lambda nodes: None  # noqa: ARG005
-    "Shows the windows of nodes that it has started, where it was typed."
-
+    show_window: Callable[[NodeHandle], object] = lambda node: None  # noqa: ARG005
+    "Shows the window of a node that it has started, where it was typed."
     opening: str = ""
     "What `roslaunch` says first: whose simulation this is."
     hosts: bool = False
@@ -96,6 +96,11 @@ class Call:
         if self.simulation is None:
             raise SimkitError("no simulation runs")
         return self.simulation
+
+    @property
+    def leaves_nodes(self) -> bool:
+        """Whether nodes go on that it has started."""
+        return math.isfinite(self.bounds.seconds)
 
     @property
     def graph(self) -> Graph:

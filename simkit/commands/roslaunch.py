@@ -7,15 +7,15 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from simkit.commands import rosrun
 from simkit.commands.command import Answer, Call, Keys, Wait
 from simkit.commands.errors import UsageError
 from simkit.commands.parser import ArgumentParser
-from simkit.commands.rosrun import LAST_WORDS, press, takes_keys
-from simkit.commands.run_options import add_run_options
+from simkit.commands.rosrun import LAST_WORDS, NodeOutput, press, takes_keys, watch
 from simkit.errors import SimkitError
 from simkit.graph.log import LogLevel
 from simkit.launch import Launch, listings, summary_of
@@ -43,7 +43,7 @@ EPILOG = (
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """How long and how fast to run, and what roslaunch itself has."""
-    add_run_options(parser)
+    rosrun.add_options(parser)
     add_own_options(parser)
 
 
@@ -88,22 +88,13 @@ def own_words(arguments: argparse.Namespace, rest: list[str]) -> list[str]:
     return [*options, first, *more]
 
 
-def read(words: Sequence[str], *, program: str) -> tuple[argparse.Namespace, list[str]]:
-    """The options among the words after `roslaunch`, and the others.
-
-    Args:
-        words: The words.
-        program: Who complains, e.g. `%roslaunch`.
-
-    Raises:
-        UsageError: They name no launch file.
-    """
-    usage = f"{program} [OPTIONS] PACKAGE FILE [NAME:=VALUE]".replace("%", "%%")
-    parser = ArgumentParser(program, usage=usage)
+def _read(words: Sequence[str]) -> tuple[argparse.Namespace, list[str]]:
+    """The options among the words after `roslaunch`, and the others."""
+    parser = ArgumentParser("roslaunch", usage="roslaunch [OPTIONS] PACKAGE FILE [NAME:=VALUE]")
     add_own_options(parser)
     options, names = parser.parse_known_args(words)
     if not names:
-        raise UsageError(f"usage: {program} PACKAGE FILE [NAME:=VALUE]")
+        raise UsageError("usage: roslaunch PACKAGE FILE [NAME:=VALUE]")
     return options, names
 
 
@@ -121,7 +112,7 @@ def _standard_input(*, quiet: bool) -> str:
 
 def run(call: Call) -> Answer:
     """Launch, give what the launch and its nodes say, and end them with the command."""
-    options, names = read(call.words, program="roslaunch")
+    options, names = _read(call.words)
     sim = call.sim
     plan = sim.launch_plan(*names)
     if listings.wants_list(options):
@@ -133,30 +124,30 @@ def run(call: Call) -> Answer:
             "no nodes: the parameters are set, and stay while this terminal runs; "
             "start nodes in another one\n"
         )
-    begin = len(sim.log)
+    output = _output(sim, lambda: launch)
     launch = sim.roslaunch(plan, all_on_screen=options.screen)
     nodes = list(launch.nodes.values())
-    call.show_windows(nodes)
-    said = _Said(sim, launch, begin)
+    for node in nodes:
+        call.show_window(node)
     if any(map(takes_keys, nodes)):
         yield Keys(lambda key: _press_all(launch, key))
     try:
-        while launch.exit_code is None or launch.alive:
-            yield said.news()
-            yield Wait(until=lambda: said.has_news or _is_over(launch))
-        yield said.news()
+        yield from watch(call, output, lambda: _is_over(launch), seconds=call.bounds.start)
+        if call.leaves_nodes:
+            return exit_code_of(launch)
         if call.hosts and not plan.nodes:
             yield Wait()
         yield f"{CLOSING}done\n" if launch.handles else f"{NO_PROCESSES}\n{CLOSING}"
         return exit_code_of(launch)
     except KeyboardInterrupt:
         launch.shutdown()
-        yield said.news()
+        yield output.new()
         yield Wait(until=lambda: not launch.alive, seconds=LAST_WORDS)
-        yield f"{said.news()}{CLOSING}done\n"
+        yield f"{output.new()}{CLOSING}done\n"
         return 0
     finally:
-        launch.shutdown()
+        if not call.leaves_nodes:
+            launch.shutdown()
 
 
 def exit_code_of(launch: Launch) -> int:
@@ -173,53 +164,18 @@ def _is_over(launch: Launch) -> bool:
     return launch.exit_code is not None and not launch.alive
 
 
-class _Said:
-    """What a launch and its nodes have said, as it comes."""
+def _output(sim: Simulation, launch: Callable[[], Launch]) -> NodeOutput:
+    """What a launch and its nodes will have said.
 
-    def __init__(self, sim: Simulation, launch: Launch, begin: int) -> None:
-        self._sim = sim
-        self._launch = launch
-        self._lines = 0
-        self._shown: dict[int, int] = {}
-        self._records = begin
-
-    @property
-    def has_news(self) -> bool:
-        """Whether there may be more than was given."""
-        return (
-            len(self._launch.lines) > self._lines
-            or len(self._sim.log) > self._records
-            or any(
-                len(node.output) > self._shown.get(number, 0)
-                for number, (_, node) in enumerate(self._launch.handles)
-            )
-        )
-
-    def news(self) -> str:
-        """What has come since the last time."""
-        lines = self._launch.lines[self._lines :]
-        self._lines += len(lines)
-        said = "".join(f"{line}\n" for line in lines)
-        return "".join([*self._outputs(), *self._log(), said])
-
-    def _outputs(self) -> Iterator[str]:
-        for number, (planned, node) in enumerate(self._launch.handles):
-            shown = self._shown.get(number, 0)
-            new = node.output[shown:]
-            self._shown[number] = shown + len(new)
-            if new and self._launch.hides(planned.resolved_name):
-                self._launch.note_hidden(planned.resolved_name)
-            else:
-                yield new
-
-    def _log(self) -> Iterator[str]:
-        names = {planned.resolved_name for planned, _ in self._launch.handles}
-        records = self._sim.log[self._records :]
-        self._records += len(records)
-        for record in records:
-            if record.node not in names:
-                continue
-            if record.level < LogLevel.WARN and self._launch.hides(record.node):
-                self._launch.note_hidden(record.node)
-            elif record.level >= LogLevel.INFO:
-                yield f"{record}\n"
+    Args:
+        sim: The simulation.
+        launch: The launch, once it runs.
+    """
+    return NodeOutput(
+        sim,
+        lambda: [(planned.resolved_name, node) for planned, node in launch().handles],
+        form=lambda record: f"{record}\n" if record.level >= LogLevel.INFO else "",
+        hides=lambda name: launch().hides(name),
+        note_hidden=lambda name: launch().note_hidden(name),
+        lines=lambda: launch().lines,
+    )

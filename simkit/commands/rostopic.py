@@ -5,7 +5,11 @@ Source: rostopic of ROS Noetic, outputs and texts.
 
 from __future__ import annotations
 
-from simkit.commands.command import Answer, Call, subcommands
+from collections.abc import Callable, Generator
+from functools import partial
+from typing import TypeVar
+
+from simkit.commands.command import Answer, Call, Wait, subcommands
 from simkit.commands.errors import ToolError
 from simkit.commands.graph_facts import (
     address,
@@ -16,9 +20,13 @@ from simkit.commands.graph_facts import (
     topic_types,
 )
 from simkit.commands.parser import ArgumentParser
-from simkit.commands.topic_commands import echo_command, hz_command, pub_command
+from simkit.commands.topic_echo import start_echo
+from simkit.commands.topic_programs import TopicProgram, start_hz, start_pub
 from simkit.commands.topic_search import find_topic, similar_topic
 from simkit.graph import Graph
+from simkit.graph.names import free_name
+
+P = TypeVar("P", bound=TopicProgram)
 
 
 def list_topics(
@@ -100,6 +108,54 @@ def _counted(table: dict[str, list[str]], types: dict[str, str], role: str) -> s
         f" * {name} [{types[name]}] {len(nodes)} {role}{'s' if len(nodes) > 1 else ''}\n"
         for name, nodes in table.items()
     )
+
+
+def echo_command(call: Call) -> Answer:
+    """`rostopic echo`; where nobody presses Ctrl-C, a topic without messages is an error."""
+    echo = yield from _run(call, partial(start_echo, most=call.bounds.messages))
+    if echo.printed == 0:
+        raise ToolError(_silence(call.graph, echo.words, call.bounds.seconds))
+
+
+def hz_command(call: Call) -> Answer:
+    """`rostopic hz`."""
+    yield from _run(call, start_hz)
+
+
+def pub_command(call: Call) -> Answer:
+    """`rostopic pub`; where nobody presses Ctrl-C, its node goes on."""
+    yield from _run(call, start_pub)
+
+
+def _run(call: Call, start: Callable[..., P]) -> Generator[str | Wait, None, P]:
+    """Give what a program prints, on a node of its own, until it is done, or the time is over."""
+    printed: list[str] = []
+    node = call.graph.create_node(free_name("/rostopic", call.graph.nodes))
+    goes_on = False
+    try:
+        program = start(node, call.words, printed.append)
+        goes_on = call.leaves_nodes and program.goes_on
+        end = call.sim.now.to_sec() + (0.0 if goes_on else call.bounds.seconds)
+        while not program.done and (left := end - call.sim.now.to_sec()) > 0:
+            yield Wait(until=lambda: bool(printed) or program.done, seconds=left)
+            yield "".join(printed)
+            printed.clear()
+    finally:
+        if not goes_on:
+            node.shutdown()
+    yield "".join(printed)
+    if program.fault is not None:
+        raise program.fault
+    return program
+
+
+def _silence(graph: Graph, topic: str, seconds: float) -> str:
+    found = find_topic(graph, topic)
+    said = f"nothing was said on {resolved(topic)} within {seconds:g} s"
+    if found is None:
+        return f"{said}: there is no such topic{similar_topic(graph, topic)}"
+    speakers = publishers(graph).get(found.topic, [])
+    return f"{said}: {', '.join(speakers) or 'nobody'} publishes it"
 
 
 def list_command(call: Call) -> Answer:

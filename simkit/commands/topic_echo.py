@@ -5,13 +5,15 @@ Source: rostopic's `_str_plot` and `_str_plot_fields` for `-p`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from simkit.commands.command import Write
 from simkit.commands.errors import ToolError
-from simkit.commands.topic_search import Found, TopicWatcher
+from simkit.commands.parser import ArgumentParser
+from simkit.commands.topic_programs import TopicWatcher
+from simkit.commands.topic_search import Found
 from simkit.graph import Node
 from simkit.msgs import Message, Time, TVal, strify_message
 
@@ -22,6 +24,8 @@ class EchoForm:
 
     count: int | None = None
     "So many messages; any number if None."
+    most: int | None = None
+    "So many at most, and then how to see more; any number if None."
     csv: bool = False
     "Numbers with commas, for a plot."
     arrays: bool = True
@@ -73,6 +77,10 @@ class TopicEcho(TopicWatcher):
         self._write(self._csv(value) if self._form.csv else self._yaml(found, value))
         self.printed += 1
         if self.printed == self._form.count:
+            self._finish()
+        elif self.printed == self._form.most:
+            if self._form.count is None:
+                self._write(f"({self.printed} messages; -n COUNT shows so many)\n")
             self._finish()
 
     def _csv(self, value: Any) -> str:
@@ -134,3 +142,43 @@ def _cells(name: str, value: Any) -> Iterator[tuple[str, str]]:
         yield name, str(value.to_nsec())
     else:
         yield name, str(value)
+
+
+def start_echo(
+    node: Node,
+    words: Sequence[str],
+    write: Write,
+    on_done: Callable[[], None] | None = None,
+    *,
+    most: int | None = None,
+) -> TopicEcho:
+    """Begin `rostopic echo [-n COUNT] [-p] [--noarr] [--nostr] /topic[/field]`.
+
+    Args:
+        node: The node that listens.
+        words: The words after `rostopic echo`.
+        write: Takes what is printed.
+        on_done: Called when nothing more will be printed.
+        most: So many messages at most; any number if None.
+
+    Raises:
+        UsageError: The words ask for nothing.
+    """
+    parser = ArgumentParser("rostopic echo")
+    parser.add_argument("-n", dest="count", type=int, help="stop after so many messages")
+    parser.add_argument("-p", dest="csv", action="store_true", help="as rows of numbers")
+    parser.add_argument("-c", "--clear", action="store_true", help="no effect here")
+    parser.add_argument("--noarr", action="store_true", help="arrays by their length")
+    parser.add_argument("--nostr", action="store_true", help="strings by their length")
+    parser.add_argument("topic")
+    found = parser.parse_args(words)
+    if found.count is not None and found.count < 1:
+        parser.error("COUNT must be at least 1")
+    form = EchoForm(
+        count=found.count,
+        most=most,
+        csv=found.csv,
+        arrays=not found.noarr,
+        strings=not found.nostr,
+    )
+    return TopicEcho(node, found.topic, write, form=form, on_done=on_done)

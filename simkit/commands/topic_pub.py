@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import yaml
 
@@ -38,6 +38,13 @@ class TopicPub:
         message: What to publish.
         rate: Messages per second [Hz]; once if None.
         latch: Give the last message to later subscribers; always if it is published once.
+        once: Whether it is done when the message was latched for `ONCE_SECONDS`.
+        on_done: Called then.
+
+    Attributes:
+        done: Whether that is over.
+        fault: None.
+        goes_on: Whether it goes on where nobody presses Ctrl-C.
 
     Raises:
         ToolError: A field holds a value that its type cannot send.
@@ -51,21 +58,26 @@ class TopicPub:
         *,
         rate: float | None = None,
         latch: bool = False,
+        once: bool = False,
+        on_done: Callable[[], None] | None = None,
     ) -> None:
+        self.goes_on = not once
+        self.done = False
+        self.fault: ToolError | None = None
+        self._on_done = on_done
         _require_sendable(message)
         publisher = node.advertise(topic, type(message), latch=latch or rate is None)
         publisher.publish(message)
         if rate is not None:
             period = Duration.from_nsec(round(1e9 / rate))
             node.create_timer(period, lambda: publisher.publish(message))
+        if once:
+            node.create_timer(Duration.from_nsec(round(ONCE_SECONDS * 1e9)), self._finish)
 
-
-def announcement(*, rate: float | None, once: bool) -> str:
-    """What `rostopic pub` prints when it begins; nothing if it repeats the message."""
-    if rate is not None:
-        return ""
-    how_long = f" for {ONCE_SECONDS} seconds" if once else ". Press ctrl-C to terminate"
-    return f"publishing and latching message{how_long}\n"
+    def _finish(self) -> None:
+        self.done = True
+        if self._on_done is not None:
+            self._on_done()
 
 
 def publish(
@@ -127,15 +139,6 @@ def message_of(type_name: str, values: Sequence[object], now: Time) -> Message:
         return fill_message(made, list(values), now=now)
     except MessageError as error:
         raise ToolError(f"ERROR: {error}\n\nArgs are: [{' '.join(field_paths(made()))}]") from error
-
-
-def has_fields(type_name: str) -> bool:
-    """Whether a message of this type has anything to fill in.
-
-    Raises:
-        ToolError: There is no such type.
-    """
-    return bool(message_type(type_name).__slots__)
 
 
 def message_type(type_name: str) -> type[Message]:

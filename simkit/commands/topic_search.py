@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from simkit.commands.command import Write
 from simkit.commands.errors import ToolError, near_hint
 from simkit.commands.graph_facts import resolved, topic_types
 from simkit.errors import near_names
-from simkit.graph import Graph, Node
-from simkit.msgs import Duration, Message, message_class
+from simkit.graph import Graph
+from simkit.msgs import Message, message_class
 
 _PART = re.compile(r"(?P<name>\w+)(\[(?P<index>-?\d+)\]|\[(?P<slice>-?\d*:-?\d*)\])?")
-_POLL = Duration.from_nsec(100_000_000)
-"How often a topic that does not exist yet is looked for."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,62 +88,6 @@ def find_topic(graph: Graph, words: str) -> Found | None:
 def similar_topic(graph: Graph, words: str) -> str:
     """A line with the topic that may have been meant; empty if none is near."""
     return near_hint("/" + words.strip("/"), topic_types(graph))
-
-
-class TopicWatcher:
-    """Waits until a topic is in use, then listens to it.
-
-    Args:
-        node: The node that listens.
-        words: The topic, perhaps with a field.
-        write: Takes what is printed.
-        on_done: Called when nothing more will be printed.
-
-    Attributes:
-        node: The node that listens.
-        done: Whether nothing more will be printed.
-        fault: Why it is done, if that is an error.
-    """
-
-    def __init__(
-        self, node: Node, words: str, write: Write, on_done: Callable[[], None] | None = None
-    ) -> None:
-        self.done = False
-        self._on_done = on_done
-        self.fault: ToolError | None = None
-        self.node = node
-        self._words = words
-        self._write = write
-        if not self._look():
-            write(
-                f"WARNING: topic [{resolved(words)}] does not appear to be published yet"
-                f"{similar_topic(node.graph, words)}\n"
-            )
-            self._polling = node.create_timer(_POLL, self._look_again)
-
-    def _look(self) -> bool:
-        found = find_topic(self.node.graph, self._words)
-        if found is not None:
-            try:
-                found.field_type  # noqa: B018 - asked for its error
-                self._listen(found)
-            except ToolError as error:
-                self._finish(error)
-        return found is not None
-
-    def _look_again(self) -> None:
-        if self._look():
-            self._polling.cancel()
-
-    def _finish(self, fault: ToolError | None = None) -> None:
-        self.fault = fault
-        self.done = True
-        if self._on_done is not None:
-            self._on_done()
-
-    def _listen(self, found: Found) -> None:
-        """Begin to listen; a subclass does it."""
-        raise NotImplementedError
 
 
 def _item(value: Any, match: re.Match[str]) -> Any:

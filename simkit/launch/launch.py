@@ -169,6 +169,8 @@ class Launch:
         if self.hides(name):
             process.mute = lambda: self.note_hidden(name)
             self._graph.muted[name] = process.mute
+        else:  # an older launch may have hidden it
+            self._graph.muted.pop(name, None)
         started = f"process[{process.label}]: started {planned.package}/{planned.type}"
         is_builtin = (planned.package, planned.type) in builtin_nodes()
         if is_builtin:

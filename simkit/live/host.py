@@ -22,7 +22,6 @@ from simkit.commands.command import Call, Command, ErrorText
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.live.job import Job
 from simkit.live.session import Session, announced
-from simkit.live.windows import show_windows
 from simkit.simulation import Simulation
 
 SLICE = 0.02
@@ -87,7 +86,7 @@ class Host:
         call = Call(
             simulation=self._sim,
             words=list(argv[1:]),
-            show_windows=lambda nodes: show_windows(self._sim, nodes),
+            show_window=self._sim.serve_window_of,
             opening="joined the simulation of another terminal\n\n",
         )
         return Job(call, self._commands[argv[0]])

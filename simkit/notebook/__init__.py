@@ -4,7 +4,7 @@ They act on the newest open `Simulation` of the notebook; the first one makes on
 `lines` is what each does, `register` is how IPython comes to know them.
 """
 
-from simkit.notebook.lines import LINES, LineError
-from simkit.notebook.register import register
+from simkit.notebook.lines import LINES
+from simkit.notebook.register import LineError, register
 
 __all__ = ["LINES", "LineError", "register"]

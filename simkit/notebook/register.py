@@ -8,11 +8,20 @@ from collections.abc import Callable
 from typing import Any
 
 from simkit.errors import SimkitError
-from simkit.notebook.lines import LINES, Line, LineError
+from simkit.launch import LaunchError
+from simkit.notebook.lines import LINES, Line
 from simkit.packages import PackagePath
 
 _ROSPACK_FIND = re.compile(r"`\s*rospack\s+find\s+(\w+)\s*`|\$\(\s*rospack\s+find\s+(\w+)\s*\)")
 "What the book's command lines ask their shell for; the two ways to write it."
+
+
+class LineError(SimkitError):
+    """A line of a notebook could not do what it was asked; IPython shows the text alone."""
+
+    def _render_traceback_(self) -> list[str]:
+        # IPython asks an exception how it wants to be shown.
+        return [str(self)]
 
 
 def register(ipython: Any) -> None:
@@ -33,8 +42,8 @@ def _magic(name: str, line: Line) -> Callable[[str], None]:
     def magic(text: str) -> None:
         try:
             line(_words(text))
-        except LineError:
-            raise
+        except LaunchError as error:  # the words of roslaunch have several lines
+            raise LineError(str(error)) from None
         except (SimkitError, OSError) as error:
             raise LineError(f"%{name}: {_in_one_line(str(error))}") from None
 

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from simkit.simulation.simulation import Simulation
     from simkit.viz import (
         FramesPicture,
+        JointSliders,
         LiveRviz,
         LiveWorld,
         RvizReplay,
@@ -174,8 +175,10 @@ class View:
                 return TurtlesimView(builtin.program, add_view=self.add)
         raise SimkitError("no turtlesim runs: sim.rosrun('turtlesim', 'turtlesim_node')")
 
-    def window_of(self, node: ScriptNode | RunningBuiltin) -> RvizView | WorldView | None:
-        """What rviz or gzclient shows, if this is one; None for other nodes.
+    def window_of(
+        self, node: ScriptNode | RunningBuiltin
+    ) -> RvizView | WorldView | JointSliders | None:
+        """What rviz or gzclient shows, or the sliders of joint_state_publisher_gui; None for other nodes.
 
         A gzclient that goes on is one of a launch file: it has said how its window is opened.
 
@@ -186,6 +189,7 @@ class View:
             SimkitError: It is gzclient, and there is no world.
         """
         from simkit.nodes.gzclient import GzclientProgram
+        from simkit.nodes.joint_state_publisher import JointStatePublisherGui
         from simkit.nodes.rviz import RvizProgram
         from simkit.viz import RvizView
 
@@ -194,6 +198,8 @@ class View:
             return RvizView(self.scene_source(program.settings(self._sim.packages)).scene())
         if isinstance(program, GzclientProgram) and not node.alive:
             return self._sim.world_window.picture()
+        if isinstance(program, JointStatePublisherGui) and node.alive:
+            return self._sim.joint_sliders(node.name)
         return None
 
     def serve_window_of(
@@ -201,7 +207,8 @@ class View:
     ) -> LiveRviz | LiveWorld | LiveTurtlesim | None:
         """Serve the window of an rviz, a gzclient or a turtlesim as a page that follows the simulation.
 
-        The page ends with the node, which prints its address.
+        The page ends with the node, which prints its address. A joint_state_publisher_gui has no page: it listens to a
+        topic, and prints which line moves a joint.
 
         Args:
             node: What `rosrun` answered.
@@ -210,6 +217,7 @@ class View:
             SimkitError: It is gzclient, and there is no world.
         """
         from simkit.nodes.gzclient import GzclientProgram
+        from simkit.nodes.joint_state_publisher import JointStatePublisherGui
         from simkit.nodes.rviz import RvizProgram
         from simkit.nodes.turtlesim import TurtlesimNode
 
@@ -226,6 +234,8 @@ class View:
         elif isinstance(program, GzclientProgram):
             page = self._sim.world_window.live(is_over=is_over)
         else:
+            if isinstance(program, JointStatePublisherGui):
+                program.listen()
             return None
         program.tell(page.url)
         return page

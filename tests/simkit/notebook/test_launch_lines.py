@@ -61,7 +61,7 @@ def test_lists_start_nothing(cells):
 def test_help_is_no_error(cells):
     (shown,) = cells("%roslaunch -h")
     assert shown.ok
-    assert shown.out.startswith("usage: %roslaunch [OPTIONS] PACKAGE FILE [NAME:=VALUE]\n")
+    assert shown.out.startswith("usage: roslaunch [OPTIONS] PACKAGE FILE [NAME:=VALUE]\n")
     assert "--dump-params" in shown.out
 
 
@@ -93,7 +93,7 @@ def test_a_silent_simulation_shows_the_launch_too(cells):
 @pytest.mark.parametrize(
     ("line", "texts"),
     [
-        ("%roslaunch", ["usage: %roslaunch PACKAGE FILE"]),
+        ("%roslaunch", ["usage: roslaunch PACKAGE FILE"]),
         (
             "%roslaunch hello_ros talk.launch mood=good",
             ["Write mood:=good, with a colon.", "LCH-E13"],

@@ -76,8 +76,8 @@ def test_a_silent_simulation_shows_the_node_too(cells):
         broken=BROKEN,
         talker=TALKER,
     )
-    assert shown[1].out.splitlines()[-1] == "ZeroDivisionError: division by zero"
-    assert shown[1].err.startswith("/broken has died: hello_ros/scripts/broken.py:4: ")
+    assert shown[1].out.splitlines()[-2] == "ZeroDivisionError: division by zero"
+    assert "process has died [exit code 1]: hello_ros/scripts/broken.py:4: " in shown[1].out
     assert shown[2].out == "I am well\n"
     assert "/talker" in shown[3].out
     assert "Use arrow keys" in shown[4].out
@@ -155,7 +155,7 @@ def test_a_line_may_ask_for_the_folder_of_a_package_as_in_a_shell(cells, asked):
             "%rosrun hello_ros talkr.py",
             "%rosrun: no executable in package 'hello_ros' 'talkr.py'; did you mean 'talker.py'?",
         ),
-        ("%rosrun", "%rosrun: usage: %rosrun PACKAGE EXECUTABLE [ARGUMENTS]"),
+        ("%rosrun", "%rosrun: Usage: rosrun PACKAGE EXECUTABLE [ARGUMENTS]"),
         ("%rostopic info /nope", "%rostopic: ERROR: Unknown topic /nope"),
         ("%rostopic ech /x", "%rostopic: rostopic has no command 'ech'; did you mean echo?"),
         (
@@ -197,7 +197,8 @@ def test_a_new_package_and_a_node_in_it(cells):
 
 def test_the_lines_are_explained(cells):
     (shown,) = cells("print(get_ipython().find_line_magic('rosrun').__doc__)")
-    assert shown.out.startswith("Start a node: `%rosrun package executable [arguments]`")
+    assert shown.out.startswith("Run a node of a package.\n")
+    assert "if a & is the last word" in shown.out
 
 
 def test_simkit_alone_does_not_load_ipython():

@@ -1,4 +1,4 @@
-"""Where no window opens: addresses of pages, and lines that move joints."""
+"""A command at work in a terminal, where no window opens: addresses of pages, and lines that move joints."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from simkit import Simulation
 from simkit.commands.command import Call
 from simkit.commands.table import COMMANDS, run_command
 from simkit.live import Job
-from simkit.live.windows import show_windows
 
 ROBOT = """<robot name="r"><link name="a"/><link name="b"/>
 <joint name="hip" type="continuous"><parent link="a"/><child link="b"/></joint></robot>"""
@@ -25,7 +24,7 @@ def sim():
 
 
 def _rosrun(sim, *words):
-    call = Call(simulation=sim, words=words, show_windows=lambda nodes: show_windows(sim, nodes))
+    call = Call(simulation=sim, words=words, show_window=sim.serve_window_of)
     return Job(call, COMMANDS["rosrun"].load())
 
 
@@ -50,7 +49,7 @@ def test_a_window_that_cannot_open_says_how_to_move_its_joints(sim):
 
 def test_other_nodes_say_nothing_of_it_and_listen_to_nothing(sim):
     node = sim.rosrun("joint_state_publisher", "joint_state_publisher")
-    show_windows(sim, [node])
+    sim.serve_window_of(node)
     assert [record for record in sim.log if record.level.name == "WARN"] == []
     assert MOVE not in sim.topics()
 
