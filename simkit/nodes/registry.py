@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 from collections.abc import Collection
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from simkit.graph.names import CommandLine, free_name, join
 from simkit.packages import PackagePath
@@ -24,10 +24,8 @@ class BuiltinNode:
     """What `rosrun` is given after the package, e.g. `turtlesim_node`."""
     node_name: str
     """Name that the node gives itself when nobody gives it another."""
-    module: str
-    """Python module of its class."""
-    class_name: str
-    """Its class, or a function that picks one; called with (node, argv)."""
+    program: str
+    """Its class, or a function that picks one, as `module:name`; called with (node, argv)."""
     anonymous: bool = False
     """Whether several may run at once: each gets a number behind its name."""
     reads_packages: bool = False
@@ -55,193 +53,122 @@ class BuiltinNode:
             argv: Arguments of its command line, without remappings.
             packages: Where packages are; none if None.
         """
-        start = getattr(importlib.import_module(self.module), self.class_name)
+        module, _, name = self.program.partition(":")
+        start = getattr(importlib.import_module(module), name)
         if not self.reads_packages:
             return start(node, argv)
         return start(node, argv, packages or PackagePath([]))
 
 
+def _entry(command: str, program: str, *, node_name: str = "", **options: Any) -> BuiltinNode:
+    """A node by `package/executable`, where its class is, and what differs from the usual."""
+    package, _, executable = command.partition("/")
+    return BuiltinNode(
+        package=package,
+        executable=executable,
+        node_name=node_name or executable,
+        program=program,
+        **options,
+    )
+
+
 _BUILTIN = (
-    BuiltinNode(
-        package="turtlesim",
-        executable="turtlesim_node",
+    _entry(
+        "turtlesim/turtlesim_node",
+        "simkit.nodes.turtlesim.node:TurtlesimNode",
         node_name="turtlesim",
-        module="simkit.nodes.turtlesim.node",
-        class_name="TurtlesimNode",
     ),
-    BuiltinNode(
-        package="turtlesim",
-        executable="turtle_teleop_key",
+    _entry(
+        "turtlesim/turtle_teleop_key",
+        "simkit.nodes.turtlesim.teleop:TurtleTeleop",
         node_name="teleop_turtle",
-        module="simkit.nodes.turtlesim.teleop",
-        class_name="TurtleTeleop",
     ),
-    BuiltinNode(
-        package="turtlesim",
-        executable="draw_square",
-        node_name="draw_square",
-        module="simkit.nodes.turtlesim.draw_square",
-        class_name="DrawSquare",
-    ),
-    BuiltinNode(
-        package="turtlesim",
-        executable="mimic",
-        node_name="turtle_mimic",
-        module="simkit.nodes.turtlesim.mimic",
-        class_name="TurtleMimic",
-    ),
-    BuiltinNode(
-        package="tf",
-        executable="tf_echo",
-        node_name="tf_echo",
-        module="simkit.nodes.tf_tools.echo",
-        class_name="TfEcho",
+    _entry("turtlesim/draw_square", "simkit.nodes.turtlesim.draw_square:DrawSquare"),
+    _entry("turtlesim/mimic", "simkit.nodes.turtlesim.mimic:TurtleMimic", node_name="turtle_mimic"),
+    _entry("tf/tf_echo", "simkit.nodes.tf_tools.echo:TfEcho", anonymous=True, watch_seconds=3.0),
+    # it prints five times a second
+    _entry(
+        "tf/tf_monitor",
+        "simkit.nodes.tf_tools.monitor:TfMonitor",
         anonymous=True,
-        watch_seconds=3.0,
+        watch_seconds=1.0,
     ),
-    BuiltinNode(
-        package="tf",
-        executable="tf_monitor",
-        node_name="tf_monitor",
-        module="simkit.nodes.tf_tools.monitor",
-        class_name="TfMonitor",
-        anonymous=True,
-        watch_seconds=1.0,  # it prints five times a second
-    ),
-    BuiltinNode(
-        package="tf",
-        executable="static_transform_publisher",
-        node_name="static_transform_publisher",
-        module="simkit.nodes.tf_tools.static_publisher",
-        class_name="TfStaticTransformPublisher",
+    _entry(
+        "tf/static_transform_publisher",
+        "simkit.nodes.tf_tools.static_publisher:TfStaticTransformPublisher",
         anonymous=True,
     ),
-    BuiltinNode(
-        package="tf2_ros",
-        executable="static_transform_publisher",
-        node_name="static_transform_publisher",
-        module="simkit.nodes.tf_tools.static_publisher",
-        class_name="Tf2StaticTransformPublisher",
+    _entry(
+        "tf2_ros/static_transform_publisher",
+        "simkit.nodes.tf_tools.static_publisher:Tf2StaticTransformPublisher",
         anonymous=True,
     ),
-    BuiltinNode(
-        package="tf2_tools",
-        executable="echo.py",
+    _entry(
+        "tf2_tools/echo.py",
+        "simkit.nodes.tf_tools.echo:Tf2Echo",
         node_name="echo",
-        module="simkit.nodes.tf_tools.echo",
-        class_name="Tf2Echo",
         watch_seconds=3.0,
     ),
-    BuiltinNode(
-        package="tf",
-        executable="view_frames",
-        node_name="view_frames",
-        module="simkit.nodes.tf_tools.view_frames",
-        class_name="TfViewFrames",
+    _entry(
+        "tf/view_frames",
+        "simkit.nodes.tf_tools.view_frames:TfViewFrames",
         anonymous=True,
         watch_seconds=5.5,
     ),
-    BuiltinNode(
-        package="tf2_tools",
-        executable="view_frames.py",
+    _entry(
+        "tf2_tools/view_frames.py",
+        "simkit.nodes.tf_tools.view_frames:Tf2ViewFrames",
         node_name="view_frames",
-        module="simkit.nodes.tf_tools.view_frames",
-        class_name="Tf2ViewFrames",
         anonymous=True,
         watch_seconds=5.5,
     ),
-    BuiltinNode(
-        package="joint_state_publisher",
-        executable="joint_state_publisher",
-        node_name="joint_state_publisher",
-        module="simkit.nodes.joint_state_publisher.start",
-        class_name="start_joint_state_publisher",
+    _entry(
+        "joint_state_publisher/joint_state_publisher",
+        "simkit.nodes.joint_state_publisher.gui:start_joint_state_publisher",
     ),
-    BuiltinNode(
-        package="joint_state_publisher_gui",
-        executable="joint_state_publisher_gui",
-        node_name="joint_state_publisher_gui",
-        module="simkit.nodes.joint_state_publisher.gui",
-        class_name="JointStatePublisherGui",
+    _entry(
+        "joint_state_publisher_gui/joint_state_publisher_gui",
+        "simkit.nodes.joint_state_publisher.gui:JointStatePublisherGui",
     ),
-    BuiltinNode(
-        package="robot_state_publisher",
-        executable="robot_state_publisher",
+    _entry(
+        "robot_state_publisher/robot_state_publisher",
+        "simkit.nodes.robot_state_publisher.node:RobotStatePublisher",
+    ),
+    _entry(
+        "robot_state_publisher/state_publisher",
+        "simkit.nodes.robot_state_publisher.node:StatePublisher",
         node_name="robot_state_publisher",
-        module="simkit.nodes.robot_state_publisher.node",
-        class_name="RobotStatePublisher",
     ),
-    BuiltinNode(
-        package="robot_state_publisher",
-        executable="state_publisher",
-        node_name="robot_state_publisher",
-        module="simkit.nodes.robot_state_publisher.node",
-        class_name="StatePublisher",
-    ),
-    BuiltinNode(
-        package="rviz",
-        executable="rviz",
-        node_name="rviz",
-        module="simkit.nodes.rviz",
-        class_name="RvizProgram",
-        anonymous=True,
-        watch_seconds=0.5,
-    ),
-    BuiltinNode(
-        package="rostopic",
-        executable="rostopic",
-        node_name="rostopic",
-        module="simkit.nodes.rostopic",
-        class_name="RostopicProgram",
-        anonymous=True,
-    ),
-    BuiltinNode(
-        package="gazebo_ros",
-        executable="gzserver",
+    _entry("rviz/rviz", "simkit.nodes.rviz:RvizProgram", anonymous=True, watch_seconds=0.5),
+    _entry("rostopic/rostopic", "simkit.nodes.rostopic:RostopicProgram", anonymous=True),
+    _entry(
+        "gazebo_ros/gzserver",
+        "simkit.gazebo.gzserver:GzServer",
         node_name="gazebo",
-        module="simkit.gazebo.gzserver",
-        class_name="GzServer",
         reads_packages=True,
     ),
-    BuiltinNode(
-        package="gazebo_ros",
-        executable="gzclient",
+    # a line of a notebook shows the window, and has no need of the hint
+    _entry(
+        "gazebo_ros/gzclient",
+        "simkit.nodes.gzclient:GzclientProgram",
         node_name="gazebo_gui",
-        module="simkit.nodes.gzclient",
-        class_name="GzclientProgram",
         anonymous=True,
-        watch_seconds=0.1,  # a line of a notebook shows the window, and has no need of the hint
+        watch_seconds=0.1,
     ),
-    BuiltinNode(
-        package="gazebo_ros",
-        executable="spawn_model",
-        node_name="spawn_model",
-        module="simkit.gazebo.spawn_model",
-        class_name="SpawnModel",
-        reads_packages=True,
-    ),
-    BuiltinNode(
-        package="controller_manager",
-        executable="spawner",
-        node_name="spawner",
-        module="simkit.nodes.controller_manager.spawner",
-        class_name="Spawner",
+    _entry("gazebo_ros/spawn_model", "simkit.gazebo.spawn_model:SpawnModel", reads_packages=True),
+    _entry(
+        "controller_manager/spawner",
+        "simkit.nodes.controller_manager.spawner:Spawner",
         anonymous=True,
     ),
-    BuiltinNode(
-        package="controller_manager",
-        executable="unspawner",
-        node_name="unspawner",
-        module="simkit.nodes.controller_manager.spawner",
-        class_name="Unspawner",
+    _entry(
+        "controller_manager/unspawner",
+        "simkit.nodes.controller_manager.spawner:Unspawner",
         anonymous=True,
     ),
-    BuiltinNode(
-        package="controller_manager",
-        executable="controller_manager",
-        node_name="controller_manager",
-        module="simkit.nodes.controller_manager.tool",
-        class_name="ControllerManagerTool",
+    _entry(
+        "controller_manager/controller_manager",
+        "simkit.nodes.controller_manager.tool:ControllerManagerTool",
         anonymous=True,
         watch_seconds=1.0,
     ),

@@ -181,14 +181,8 @@ def test_a_node(tree: Any) -> None:
     tree.write("tests/simkit/nodes/shouting/test_shouter.py", NODE_TEST)
     tree.insert(
         "simkit/nodes/registry.py",
-        '    BuiltinNode(\n        package="turtlesim",\n        executable="mimic"',
-        "    BuiltinNode(\n"
-        '        package="shouting",\n'
-        '        executable="shouter",\n'
-        '        node_name="shouter",\n'
-        '        module="simkit.nodes.shouting.shouter",\n'
-        '        class_name="Shouter",\n'
-        "    ),\n",
+        '    _entry("turtlesim/mimic"',
+        '    _entry("shouting/shouter", "simkit.nodes.shouting.shouter:Shouter"),\n',
     )
     tree.prove("a node", NAME="shouter")
 

@@ -1,5 +1,7 @@
 """The sliders of joint_state_publisher_gui, without a window: `simkit.viz.widgets` draws them.
 
+`use_gui` turns the publisher into this one.
+
 Source: joint_state_publisher_gui 1.15: a slider of 10000 steps per joint, Randomize, Center.
 """
 
@@ -14,11 +16,18 @@ from simkit.graph import Node
 from simkit.msgs import message_class
 from simkit.nodes.joint_state_publisher.joints import FreeJoint
 from simkit.nodes.joint_state_publisher.node import JointStatePublisher
+from simkit.nodes.joint_state_publisher.settings import look_up
 
 STEPS = 10_000
 """Places of a slider, besides its first."""
 MOVE_TOPIC = "~move"
-"""Where `listen` hears of positions."""
+"""Topic with the positions of whoever has no sliders."""
+DEPRECATED = (
+    "The 'use_gui' parameter was specified, which is deprecated. It counts here, as in Melodic; "
+    "Noetic ignores it and shows no sliders: there, start the node joint_state_publisher_gui of "
+    "the package joint_state_publisher_gui instead."
+)
+"""What the parameter `use_gui` is answered with."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -155,6 +164,19 @@ class JointStatePublisherGui(JointStatePublisher):
             return {}
         free = self._table.free
         return {name: free[name] for name in self._table.names if _has_slider(free.get(name))}
+
+
+def start_joint_state_publisher(node: Node, argv: list[str]) -> JointStatePublisher:
+    """The program `joint_state_publisher` of Melodic.
+
+    Args:
+        node: Its place in the graph.
+        argv: Arguments of its command line.
+    """
+    if not look_up(node, "use_gui", False):
+        return JointStatePublisher(node, argv)
+    node.warn(DEPRECATED)
+    return JointStatePublisherGui(node, argv)
 
 
 def _has_slider(joint: FreeJoint | None) -> bool:

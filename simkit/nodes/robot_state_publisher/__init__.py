@@ -1,7 +1,6 @@
 """robot_state_publisher: turns the positions of joints into transforms between links.
 
-Read it in this order: `description` (which robot), `segments` (its frames), `gate` (which messages
-count), `node`; then `waiting`, a note of the kit's own.
+Read it in this order: `segments` (its frames), `joint_messages` (which messages count), `node`.
 
 Source: robot_state_publisher 1.15 of ROS Noetic, with kdl_parser.
 """

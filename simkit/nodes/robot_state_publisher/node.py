@@ -3,19 +3,27 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 from simkit.errors import SimkitError
 from simkit.graph import Node
+from simkit.graph.names import namespace_of, resolve
 from simkit.msgs import Duration, Time, message_class
 from simkit.nodes.program import Program
-from simkit.nodes.robot_state_publisher.description import find_robot
-from simkit.nodes.robot_state_publisher.gate import PublishGate, Throttle
+from simkit.nodes.robot_state_publisher.joint_messages import (
+    PATIENCE,
+    MissingJoints,
+    PublishGate,
+    Throttle,
+)
 from simkit.nodes.robot_state_publisher.segments import segments_of
-from simkit.nodes.robot_state_publisher.waiting import PATIENCE, Waiting
 from simkit.tf import StaticTransformBroadcaster, TransformBroadcaster
-from simkit.urdf import Robot
+from simkit.urdf import Robot, read_robot
+from simkit.urdf.loading import robot_of
 
+PARAMETER = "robot_description"
+"""Parameter with the text of the URDF file."""
 AHEAD = Duration.from_nsec(500_000_000)
 """Fixed joints on /tf are dated so far ahead, to hold until the next time."""
 OLD = Duration(30)
@@ -59,11 +67,14 @@ class RobotStatePublisher(Program):
             Throttle(_PAUSE),
             Throttle(_PAUSE),
         )
-        self._waiting = Waiting(self._segments.moving)
+        self._missing = MissingJoints(self._segments.moving)
         self._moving_broadcaster = TransformBroadcaster(node)
         self._static_broadcaster = StaticTransformBroadcaster(node)
         self._joint_states = node.subscribe(
-            "joint_states", message_class("sensor_msgs/JointState"), self._hear, queue_size=1
+            "joint_states",
+            message_class("sensor_msgs/JointState"),
+            self._on_joint_state,
+            queue_size=1,
         )
         self._fixed_timer = node.create_timer(interval, self._publish_fixed)
         self._hint_timer = node.create_timer(PATIENCE, self._hint)
@@ -85,9 +96,9 @@ class RobotStatePublisher(Program):
 
     # -- moving joints
 
-    def _hear(self, state: Any) -> None:
+    def _on_joint_state(self, state: Any) -> None:
         stamp: Time = state.header.stamp
-        self._waiting.heard(stamped=bool(stamp.to_nsec()))
+        self._missing.heard(stamped=bool(stamp.to_nsec()))
         if len(state.name) != len(state.position):
             self._refuse(state)
             return
@@ -141,14 +152,14 @@ class RobotStatePublisher(Program):
                     f'Joint state with name: "{name}" was received but not found in URDF'
                 )
         self._moving_broadcaster.send_transform(messages)
-        self._waiting.moved(positions)
+        self._missing.moved(positions)
 
     def _hint(self) -> None:
         self._hint_timer.cancel()
         topic = self._joint_states.topic
         known = self._node.graph.topics.get(topic)
         speakers = sorted({p.node_name for p in known.publishers}) if known is not None else []
-        hint = self._waiting.hint(topic, speakers)
+        hint = self._missing.hint(topic, speakers)
         if hint is not None:
             self._node.warn(hint)
 
@@ -180,3 +191,37 @@ class StatePublisher(RobotStatePublisher):
             "Please use 'robot_state_publisher' instead"
         )
         super().__init__(node, argv)
+
+
+class NoRobotError(SimkitError):
+    """Nobody has loaded a robot."""
+
+
+def find_robot(node: Node, log: Callable[[str], None]) -> Robot:
+    """The robot that a node finds on the parameter server.
+
+    Args:
+        node: Whose namespace is searched, from the inside out.
+        log: Is given each thing that urdfdom says of the file, as it prints it.
+
+    Raises:
+        NoRobotError: There is no such parameter.
+        UrdfError: urdfdom refuses the robot.
+    """
+    name = _parameter_name(node)
+    if name is None:
+        raise NoRobotError(f"Could not find parameter {PARAMETER} on parameter server")
+    text = node.graph.params.get(name)
+    if not isinstance(text, str):
+        raise NoRobotError(f"Could not read parameter {PARAMETER} on parameter server")
+    reading = read_robot(text, file=PARAMETER)
+    for message in reading.messages:
+        log(message)
+    return robot_of(reading)
+
+
+def _parameter_name(node: Node) -> str | None:
+    params, remapped = node.graph.params, node.resolve(PARAMETER)
+    if remapped != resolve(PARAMETER, node.name):
+        return remapped if params.has(remapped) else None
+    return params.search(namespace_of(node.name), PARAMETER)

@@ -2,7 +2,11 @@ from __future__ import annotations
 
 import random
 
-from simkit.nodes.robot_state_publisher.gate import PublishGate, Throttle
+from simkit.nodes.robot_state_publisher.joint_messages import (
+    MissingJoints,
+    PublishGate,
+    Throttle,
+)
 
 MS = 1_000_000
 
@@ -59,3 +63,25 @@ def test_what_is_throttled_is_said_once_in_a_while():
     seconds = [0, 1, 9.9, 10, 12, 20, 5]
     said = [throttle.permits(round(second * 1e9)) for second in seconds]
     assert said == [True, False, False, True, False, True, True]
+
+
+def test_who_speaks_and_who_is_missing_decides_what_the_hint_says():
+    missing = MissingJoints(["elbow", "hip"])
+    assert missing.hint("/joint_states", []) == (
+        "hint: nobody publishes /joint_states, so elbow, hip have no position, and no transform: "
+        "start joint_state_publisher, or joint_state_publisher_gui for sliders"
+    )
+    assert missing.hint("/joint_states", ["/me"]) == (
+        "hint: /me has not said anything on /joint_states yet, "
+        "so elbow, hip have no position, and no transform"
+    )
+    missing.heard(stamped=False)
+    assert "no time stamp" in missing.hint("/joint_states", ["/me"])
+    missing.heard(stamped=True)
+    missing.moved(["hip", "other"])
+    assert missing.hint("/joint_states", ["/me"]) == (
+        "hint: /me on /joint_states gives no position for some joints: "
+        "elbow has no position, and no transform"
+    )
+    missing.moved(["elbow"])
+    assert missing.hint("/joint_states", []) is None
