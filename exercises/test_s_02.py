@@ -97,7 +97,7 @@ def test_the_launch_file_starts_your_world(sim, roslaunch, submission):
     expect(
         has_light(submission.files.get(f"gazebo_car/worlds/{WORLD}", "")),
         "there is no sun in the world",
-        hint=f"{WORLD} includes model://sun; without it Gazebo shows nothing but darkness.",
+        hint=f"{WORLD} includes model://sun; without it the models in Gazebo are dim and flat: only the ambient light is left.",
     )
 
 

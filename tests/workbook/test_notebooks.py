@@ -12,7 +12,6 @@ from grader.authoring.start import start
 from grader.exercises import Exercise
 
 Run = Callable[[Path], list[Any]]
-LECTURES = sorted((Path(__file__).resolve().parents[2] / "lectures").glob("*.ipynb"))
 
 
 def started(course: Path, exercise: Exercise) -> Path:
@@ -61,10 +60,3 @@ def test_the_untouched_exercise_is_not_attempted(
     assert checks
     assert all(line.startswith("  ○ not attempted") for line in checks)
     assert errors(cells) == []
-
-
-@pytest.mark.parametrize("lecture", LECTURES, ids=lambda path: path.stem)
-def test_a_lecture_runs(lecture: Path, tmp_path: Path, run: Run) -> None:
-    mine = tmp_path / lecture.name
-    mine.write_bytes(lecture.read_bytes())
-    assert errors(run(mine)) == []
