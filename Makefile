@@ -54,7 +54,7 @@ NO_NEWS  = {"@jupyterlab/apputils-extension:notification": {"fetchNews": "false"
 lab: $(READY)
 	@mkdir -p $(SETTINGS) && echo '$(NO_NEWS)' > $(SETTINGS)/overrides.json
 	$(BIN)/grader start all
-	@test "$$(id -u)" != 0 || echo "As root, JupyterLab starts with: make lab LAB_OPTIONS=--allow-root"
+	@test "$$(id -u)" != 0 || test -n "$(findstring allow-root,$(LAB_OPTIONS))" || echo "As root, JupyterLab starts with: make lab LAB_OPTIONS=--allow-root"
 	cd $(WORK) && PATH="$(CURDIR)/$(BIN):$$PATH" jupyter lab $(TERMINALS) "Start here.ipynb" $(LAB_OPTIONS)
 
 grade: $(READY)

@@ -10,7 +10,7 @@ from typing import Any
 
 from grader.errors import GraderError, SubmissionError
 from grader.exercises import Exercise, find_root, get_exercise
-from grader.progress import remember
+from grader.last_checks import remember
 from grader.report.html import exercise_html, message_html
 from grader.report.text import exercise_text
 from grader.results import ExerciseResult, Status

@@ -95,11 +95,11 @@ MAY_IMPORT = {
     "grader.run": "grader.errors grader.results grader.exercises grader.submission grader.sandbox "
     "grader.checks",
     "grader.report": "grader.errors grader.results grader.exercises grader.run",
-    "grader.progress": "grader.results grader.exercises",
+    "grader.last_checks": "grader.results grader.exercises",
     "grader.authoring": "grader.errors grader.results grader.exercises grader.submission "
-    "grader.sandbox grader.run grader.progress",
+    "grader.sandbox grader.run grader.last_checks",
     "grader.notebook": "grader.errors grader.results grader.exercises grader.submission "
-    "grader.sandbox grader.run grader.report grader.progress",
+    "grader.sandbox grader.run grader.report grader.last_checks",
     "grader.commands": "grader",
     "grader.cli": "grader",
     # what the checks of the course share

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 from grader.authoring.lectures import FOLDER, lecture_paths
-from grader.exercises import Exercise, load_exercises
-from grader.progress import progress_of
+from grader.exercises import load_exercises
+from grader.last_checks import progress_of
 
 NAME = "Start here.ipynb"
 """Its file in the working folder."""
@@ -22,9 +21,9 @@ a laser through a world. Files, names and commands are those of a robot that run
 Begin with the first lecture, or jump to an exercise. Each exercise has its task, room for your code, and a last cell,
 `check("3.1")`, that shows what works already and what does not. Run a cell with **Shift+Enter**. Check as often as you like."""
 _PROGRESS_HEAD = """\
-## How far you are
+## Exercises
 
-Run the next cell to see the points of your last checks."""
+With the points of your last checks; run the next cell to bring them up to date."""
 _PROGRESS_CELL = """\
 from grader import progress
 
@@ -48,10 +47,9 @@ def start_page(root: Path, work: Path) -> str:
         root: Folder of the workbook.
         work: The student's working folder.
     """
-    exercises = load_exercises(root)
-    done = progress_of(work, exercises.values())
+    done = progress_of(work, load_exercises(root).values())
     cells = [
-        _markdown("welcome", f"{_WELCOME}\n\n{_tables(root, exercises)}"),
+        _markdown("welcome", f"{_WELCOME}\n\n## Lectures\n\n{_lectures(root)}"),
         _markdown("progress-head", _PROGRESS_HEAD),
         {
             "cell_type": "code",
@@ -75,21 +73,12 @@ def start_page(root: Path, work: Path) -> str:
     return json.dumps(page, indent=1, ensure_ascii=False) + "\n"
 
 
-def _tables(root: Path, exercises: Mapping[str, Exercise]) -> str:
-    lectures = [
-        f"[{_title(path)}]({FOLDER}/{path.stem}.ipynb)"
+def _lectures(root: Path) -> str:
+    return "\n".join(
+        f"- [{_title(path)}]({FOLDER}/{path.stem}.ipynb)"
         for path in lecture_paths(root)
         if path.with_suffix(".ipynb").is_file()
-    ]
-    tasks = [
-        f"[{exercise.id} · {exercise.title}]({exercise.slug}.ipynb)"
-        for exercise in exercises.values()
-    ]
-    return f"{_table('Lectures', lectures)}\n\n{_table('Exercises', tasks)}"
-
-
-def _table(head: str, rows: Iterable[str]) -> str:
-    return "\n".join([f"| {head} |", "|:---|", *(f"| {row} |" for row in rows)])
+    )
 
 
 def _title(lecture: Path) -> str:

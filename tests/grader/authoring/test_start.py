@@ -8,7 +8,6 @@ from typing import Any
 import pytest
 
 from grader.authoring.start import start, start_lectures, start_page_of
-from grader.submission import read_notebook
 from simkit.errors import UnknownNameError
 
 
@@ -124,9 +123,9 @@ def test_the_start_page_links_what_there_is_and_knows_what_is_done(built: Any) -
     start(built.root, "3.1")
     assert start_page_of(built.root) == ("begin with Start here.ipynb",)
     page = work / "Start here.ipynb"
-    text = "".join(cell.source for cell in read_notebook(page).cells)
-    for link in re.findall(r"\]\(([^)]+)\)", text):
-        assert (work / link).is_file()
+    links = re.findall(r"\]\(([^)]+)\)", page.read_text())
+    assert "3_01_say_it.ipynb" in links
+    assert all((work / link).is_file() for link in links)
     assert "not checked yet" in page.read_text()
     (work / ".checked.json").write_text('{"3.1": {"points": 2, "of": 2, "status": "passed"}}')
     start_page_of(built.root)

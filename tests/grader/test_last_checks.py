@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from grader.progress import RECORD, progress_of, remember
+from grader.last_checks import RECORD, progress_of, remember
 from grader.results import ExerciseResult, Status
 
 ONE = SimpleNamespace(id="3.1", title="Broadcast", slug="3_01_broadcast")
@@ -41,3 +41,10 @@ def test_a_broken_record_is_as_none(tmp_path, text):
 def test_a_folder_that_is_not_there_remembers_nothing(tmp_path):
     remember(tmp_path / "nowhere", result(Status.PASSED, 1.0))
     assert not (tmp_path / "nowhere").exists()
+
+
+def test_the_package_offers_it_whatever_was_loaded_before():
+    import grader.notebook  # noqa: F401 - it loads the module of the function
+    from grader import progress
+
+    assert callable(progress)
