@@ -127,7 +127,7 @@ EXCEPTIONS = {
 LIBRARIES = {
     "numpy": (
         "simkit.physics simkit.plugins simkit.tf.transformations simkit.viz",
-        "simkit.graph.process.virtual_time",
+        "simkit.graph.process.virtual_time simkit.urdf.mesh_file",
     ),
     "transformations": ("simkit.tf.transformations", ""),
     "yaml": (
@@ -165,8 +165,7 @@ CLOCKS_AND_CHANCE = {
         "simkit.graph.process.virtual_time": "replaces it in node processes",
         "simkit.live.host": "keeps a live simulation in step with the wall",
         "simkit.live.keyboard": "looks at the keyboard now and then",
-        "simkit.viz.turtlesim.page": "draws no oftener than the eye can follow, and never for most of the time",
-        "simkit.viz.live_view": "sends pictures to a notebook no oftener than it can take them",
+        "simkit.viz.turtlesim.view": "draws no oftener than the eye can follow, and never for most of the time",
         "simkit.viz.widgets": "sends moments to a notebook no oftener than it can take them",
         "simkit.cli": "keeps it in step too",
         "simkit.commands.doctor": "measures how long a node takes to start",

@@ -9,13 +9,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from simkit.geometry import Matrix, Transform, Vector
-from simkit.urdf.mesh_file import MeshError, load_mesh
+from simkit.geometry import Matrix, Transform
 from simkit.urdf.model import Box, Cylinder, Sphere
 
 MAX_TRIANGLES = 20_000
@@ -44,22 +42,6 @@ class CollisionMesh:
         middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
         radius = float(np.sqrt(((points - middle) ** 2).sum(axis=1)).max())
         return cls(np.ascontiguousarray(corners), middle, radius)
-
-
-def read_mesh(path: Path, scale: Vector) -> CollisionMesh:
-    """The triangles of an STL, OBJ or DAE file; nothing that the file refers to is read.
-
-    Args:
-        path: The file.
-        scale: Factors along x, y, z.
-
-    Raises:
-        MeshError: It is too long, broken, or of a kind that cannot be read here.
-    """
-    corners = np.asarray(load_mesh(path).triangles, dtype=np.float64) * np.array(scale)
-    if not np.isfinite(corners).all():
-        raise MeshError("it is broken (numbers that are none)")
-    return CollisionMesh.of(corners)
 
 
 def stand_in(mesh: CollisionMesh) -> tuple[Box | Cylinder | Sphere, Transform]:

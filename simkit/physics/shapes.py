@@ -10,9 +10,9 @@ from simkit.physics.bodies import check_lengths, check_pose
 from simkit.physics.errors import ModelError
 from simkit.physics.gazebo_tags import GazeboTags, LinkTags
 from simkit.physics.lumps import Member, RigidGroup
-from simkit.physics.mesh import MAX_TRIANGLES, read_mesh, stand_in
+from simkit.physics.mesh import MAX_TRIANGLES, CollisionMesh, stand_in
 from simkit.physics.plan import Plane, ShapePlan
-from simkit.urdf.mesh_file import MeshError
+from simkit.urdf.mesh_file import MeshError, read_mesh
 from simkit.urdf.model import Box, Collision, Cylinder, Mesh, Sphere
 
 SMALLEST = 1e-6
@@ -66,7 +66,7 @@ def _of_mesh(shape: ShapePlan, geometry: Mesh, notes: list[str]) -> ShapePlan:
     try:
         if geometry.path is None:
             raise MeshError(geometry.problem or "there is no such file")
-        mesh = read_mesh(geometry.path, geometry.scale)
+        mesh = CollisionMesh.of(read_mesh(geometry.path, geometry.scale).corners)
     except MeshError as error:
         notes.append(f"{name} is stood in for by a box of 0.1 m: {error}")
         return replace(shape, solid=PLACEHOLDER)

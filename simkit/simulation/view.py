@@ -28,7 +28,7 @@ if TYPE_CHECKING:
         TurtlesimView,
         WorldView,
     )
-    from simkit.viz.turtlesim.page import LiveTurtlesim
+    from simkit.viz.turtlesim.view import LiveTurtlesim
 
 
 class View:
@@ -243,7 +243,7 @@ class View:
     def _live_turtlesim(
         self, program: TurtlesimNode, *, is_over: Callable[[], bool]
     ) -> LiveTurtlesim:
-        from simkit.viz.turtlesim.page import LiveTurtlesim
+        from simkit.viz.turtlesim.view import LiveTurtlesim
 
         page = LiveTurtlesim(program.frame, is_over=is_over)
         self.add(page.refresh, page.close)

@@ -7,10 +7,16 @@ from __future__ import annotations
 
 import io
 import re
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from simkit.errors import SimkitError
+from simkit.geometry import Vector
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 FORMATS = (".dae", ".obj", ".stl")
 """Kinds of files, as RViz and Gazebo read them."""
@@ -25,17 +31,47 @@ class MeshError(SimkitError):
     """A file that gives no mesh; one clause says why."""
 
 
-def load_mesh(path: Path) -> Any:
-    """The surface in a file, as a `trimesh.Trimesh` with one triangle at least.
+@dataclass(frozen=True, slots=True, eq=False)
+class MeshArrays:
+    """A surface of triangles."""
+
+    vertices: NDArray[np.float64]
+    """Corners [m], shape (n, 3)."""
+    triangles: NDArray[np.int64]
+    """Numbers of three corners each, counter-clockwise from outside, shape (m, 3); one at least."""
+
+    @property
+    def corners(self) -> NDArray[np.float64]:
+        """Corners of the triangles [m], shape (m, 3, 3): triangle, corner, coordinate."""
+        return self.vertices[self.triangles]
+
+
+def read_mesh(path: Path, scale: Vector) -> MeshArrays:
+    """The surface in a file.
 
     Only the file itself is read: no pictures, no libraries of materials.
 
     Args:
-        path: The file.
+        path: An STL, OBJ or DAE file.
+        scale: Factors along x, y and z.
 
     Raises:
         MeshError: It is not there, of another kind, broken, empty, or too long.
     """
+    import numpy as np
+
+    mesh = _loaded(path)
+    vertices = np.asarray(mesh.vertices, dtype=np.float64) * np.array(scale)
+    triangles = np.asarray(mesh.faces)
+    if not np.isfinite(vertices).all() or triangles.min() < 0 or triangles.max() >= len(vertices):
+        raise MeshError("it is broken (invalid numbers)")
+    if np.prod(scale) < 0.0:
+        triangles = triangles[:, ::-1]  # a mirror turns the inside out
+    return MeshArrays(vertices, triangles)
+
+
+def _loaded(path: Path) -> Any:
+    """The file as a `trimesh.Trimesh`."""
     suffix = path.suffix.lower()
     if suffix not in FORMATS:
         raise MeshError(f"only {', '.join(FORMATS)} are read")

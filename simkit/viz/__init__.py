@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from simkit.viz.live import LiveRviz, LiveWorld
-    from simkit.viz.live_view import LiveView
     from simkit.viz.plots.joints import JointPlot, TrackingPlot
     from simkit.viz.plots.model_recording import ModelRecording
     from simkit.viz.plots.paths import PathPlot
@@ -28,7 +27,7 @@ if TYPE_CHECKING:
     from simkit.viz.trees.frames import FramesPicture
     from simkit.viz.trees.robot import RobotTree
     from simkit.viz.turtlesim.replay import TurtleReplay
-    from simkit.viz.turtlesim.view import TurtlesimView
+    from simkit.viz.turtlesim.view import LiveView, TurtlesimView
     from simkit.viz.view import RvizView, WorldView
     from simkit.viz.widgets.joint_sliders import JointSliders
     from simkit.viz.widgets.teleop_pad import TeleopPad
@@ -75,7 +74,7 @@ _HOMES = {
     "JointPlot": "plots.joints",
     "JointSliders": "widgets.joint_sliders",
     "LiveRviz": "live",
-    "LiveView": "live_view",
+    "LiveView": "turtlesim.view",
     "LiveWorld": "live",
     "ModelRecording": "plots.model_recording",
     "PathPlot": "plots.paths",

@@ -1,4 +1,4 @@
-"""A view that follows a simulation: the page of `RvizView`, and a server of this computer that tells it what moves."""
+"""A view that follows a simulation: the page of `RvizView`, and a server of this computer that sends it what moves."""
 
 from __future__ import annotations
 
@@ -7,12 +7,11 @@ import weakref
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from simkit.viz.live_view import running_notebook
-from simkit.viz.page.live_state import LiveNews, NewsSource
 from simkit.viz.page.meshcat_window import MeshcatWindow, visualizer
-from simkit.viz.page.scene_data import scene_data, summary
+from simkit.viz.page.scene_data import LiveScene, LiveSource, scene_data, scene_summary
 from simkit.viz.page.view_page import LIVE_STATUS, view_page
 from simkit.viz.still.picture import still_image
+from simkit.viz.widgets.kernel_loop import running_notebook
 from simkit.viz.widgets.panel import SavedStill
 
 if TYPE_CHECKING:
@@ -23,9 +22,9 @@ if TYPE_CHECKING:
 class LiveRviz:
     """Frames and robot as they are now, in a notebook or in a window of the browser.
 
-    In a notebook it is a widget, which hears over the notebook's own channel what has moved: no port is
+    In a notebook it is a widget, which gets over the notebook's own channel what has moved: no port is
     opened, so that it also works on JupyterHub, on Colab and in an editor. For a terminal, `url` starts a small
-    server on 127.0.0.1, which tells the page what has moved at most thirty times a second. What is shown
+    server on 127.0.0.1, which sends the page what has moved at most thirty times a second. What is shown
     never reaches the simulation.
 
     Args:
@@ -36,14 +35,14 @@ class LiveRviz:
         settings: What is to be seen.
     """
 
-    def __init__(self, source: NewsSource, *, is_over: Callable[[], bool] = lambda: False) -> None:
+    def __init__(self, source: LiveSource, *, is_over: Callable[[], bool] = lambda: False) -> None:
         self.settings: object = source.settings
         self._source = source
         self._is_over = is_over
         self._has_ended = False
         self._window = MeshcatWindow(self._show_meshcat)
         self._server: LiveServer | None = None
-        self._news: LiveNews | None = None
+        self._live: LiveScene | None = None
         self._widget: SceneWidget | None = None
         self._still: SavedStill | None = None
 
@@ -86,15 +85,15 @@ class LiveRviz:
         """Look at the simulation, and tell the viewers; returns at once.
 
         Args:
-            now: Also if a notebook was told something a moment ago.
+            now: Also if something was sent to a notebook a moment ago.
         """
         if not self.alive:
             return
         if self._is_over():
             self.close()
             return
-        if self._server is not None and self._news is not None:
-            self._server.update(self._news.look())
+        if self._server is not None and self._live is not None:
+            self._server.update(self._live.look())
         if self._widget is not None:
             self._widget.refresh(now=now)
 
@@ -111,8 +110,8 @@ class LiveRviz:
         if self._server is None:
             from simkit.viz.page.live_server import LiveServer
 
-            self._news = LiveNews(self._source)
-            self._server = LiveServer(self._news.state)
+            self._live = LiveScene(self._source)
+            self._server = LiveServer(self._live.state)
             # Also at the end of the interpreter, and when nobody has the simulation any more.
             self._end = weakref.finalize(self, self._server.close)
             self._server.page = self.to_html()
@@ -138,7 +137,7 @@ class LiveRviz:
         if not self.alive:
             return f"{type(self).__name__}(ended)"
         if self._server is None and running_notebook() is not None:
-            return f"{type(self).__name__}({summary(self._source.scene())!r})"
+            return f"{type(self).__name__}({scene_summary(self._source.scene())!r})"
         return f"{type(self).__name__}({self.url})"
 
     def _ipython_display_(self) -> None:
@@ -154,7 +153,7 @@ class LiveRviz:
         self.refresh(now=True)
 
     def _still_text(self) -> str:
-        return summary(self._source.scene())
+        return scene_summary(self._source.scene())
 
     def _still_html(self) -> str:
         return still_image(self._source.scene())

@@ -12,9 +12,10 @@ from simkit.viz.draw.thinning import Row
 from simkit.viz.plots.recorded import RecordedTopics
 from simkit.viz.stage.camera import AXIS_SHARE, AXIS_SHARE_OF_ROBOT, stage_for
 from simkit.viz.stage.frames import FramePose, tf_scene
+from simkit.viz.stage.parts import corners
 from simkit.viz.stage.robot import RobotShapes
 from simkit.viz.stage.rviz_settings import OdometryDisplay, RvizSettings, TopicDisplay
-from simkit.viz.stage.scene import Scene, corners, make_scene
+from simkit.viz.stage.scene import Scene, make_scene
 from simkit.viz.stage.topic_listener import DisplayListener
 from simkit.viz.stage.topic_marks import NOTHING, Shown, display_marks
 from simkit.viz.tape import (

@@ -13,9 +13,8 @@ from simkit.viz.page.scene_data import scene_data
 from simkit.viz.page.view_page import page_height, view_page
 from simkit.viz.replay import Replay, Track, tape_controls, track_data
 from simkit.viz.stage.frames import FramePose
-from simkit.viz.stage.marks import Marks, moment_data
-from simkit.viz.stage.scene import Scene, corners
-from simkit.viz.stage.solid import Solid
+from simkit.viz.stage.parts import Marks, Solid, corners, moment_data
+from simkit.viz.stage.scene import Scene
 from simkit.viz.stage.topic_marks import Shown
 
 _SHARE, _TURN = 0.0005, 0.0015

@@ -8,7 +8,7 @@ from typing import Any
 from simkit.viz.draw.files import save_as
 from simkit.viz.page.html import inline_frame
 from simkit.viz.page.meshcat_window import MeshcatWindow, visualizer
-from simkit.viz.page.scene_data import scene_data, summary
+from simkit.viz.page.scene_data import scene_data, scene_summary
 from simkit.viz.page.view_page import page_height, view_page
 from simkit.viz.stage.scene import Scene
 from simkit.viz.still.picture import still_image
@@ -80,7 +80,7 @@ class RvizView:
         save_as(path, {".html": self.to_html, ".png": self.to_png})
 
     def __repr__(self) -> str:
-        return f"RvizView({summary(self.scene)!r})"
+        return f"RvizView({scene_summary(self.scene)!r})"
 
     def _repr_html_(self) -> str:
         return inline_frame(

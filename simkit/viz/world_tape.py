@@ -13,8 +13,7 @@ from simkit.geometry import Transform, Vector
 from simkit.viz.draw.thinning import Row
 from simkit.viz.plots.recorded import RecordedTopics
 from simkit.viz.stage.frames import FramePose
-from simkit.viz.stage.marks import Marks
-from simkit.viz.stage.solid import Role
+from simkit.viz.stage.parts import Marks, Role
 from simkit.viz.stage.topic_marks import Shown
 from simkit.viz.stage.world_scene import WorldSettings, link_poses, world_scene
 from simkit.viz.stage.world_source import ForceScale, contact_marks, headline, laser_marks

@@ -105,11 +105,13 @@ def _(shape: Label) -> str:
 @svg_element.register
 def _(shape: Group) -> str:
     inner = "\n".join(svg_element(part) for part in shape.shapes)
-    place = "" if shape.origin is None else f' transform="{placed(shape.origin, shape.angle)}"'
+    place = (
+        "" if shape.origin is None else f' transform="{svg_transform(shape.origin, shape.angle)}"'
+    )
     return f"<g{place}>\n<title>{_escaped(shape.title)}</title>\n{inner}\n</g>"
 
 
-def placed(origin: Point, angle: float) -> str:
+def svg_transform(origin: Point, angle: float) -> str:
     """The value of a `transform` that turns by an angle [degrees] and moves to a point [px]."""
     x, y = origin
     return f"translate({number(x)} {number(y)}) rotate({number(angle)})"

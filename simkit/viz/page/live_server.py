@@ -1,4 +1,4 @@
-"""Serves a live view on 127.0.0.1: one page, and a web socket that tells what has moved.
+"""Serves a live view on 127.0.0.1: one page, and a web socket that sends what has moved.
 
 It lives in a thread of its own, which is given states and never looks at the simulation: a viewer
 that is slow or gone cannot hold the simulation up. Imported only when a live view is asked for.
@@ -20,7 +20,7 @@ from tornado.websocket import WebSocketClosedError, WebSocketHandler
 from simkit.errors import SimkitError
 
 PAUSE: Final = 1 / 30
-"""At most so often is a viewer told something [s of wall-clock time]."""
+"""At most so often something is sent to a viewer [s of wall-clock time]."""
 MOST_VIEWERS: Final = 20
 """So many pages may look at the same time."""
 ENDED: Final = 4000
@@ -35,11 +35,11 @@ _FAREWELL = 0.2
 class LiveState(Protocol):
     """What there is to see at one moment."""
 
-    def news(self, known: Any) -> str | None:
-        """What a viewer still has to be told as JSON; None if it knows everything.
+    def changes(self, known: Any) -> str | None:
+        """What a viewer does not know yet, as JSON; None if it knows everything.
 
         Args:
-            known: The state that the viewer was told last; None if none.
+            known: The state that the viewer got last; None if none.
         """
 
 
@@ -69,7 +69,7 @@ class LiveServer:
         self.port: int = self._sockets[0].getsockname()[1]
         self._is_over = False
         self._loop = asyncio.new_event_loop()
-        self._news = asyncio.Event()
+        self._changed = asyncio.Event()
         self._thread = threading.Thread(target=self._run, name="simkit-rviz", daemon=True)
         self._thread.start()
 
@@ -114,7 +114,7 @@ class LiveServer:
         if len(self._viewers) >= MOST_VIEWERS:
             return False
         self._viewers.add(viewer)
-        self._news.set()
+        self._changed.set()
         return True
 
     def forget(self, viewer: _Viewer) -> None:
@@ -122,9 +122,9 @@ class LiveServer:
         self._viewers.discard(viewer)
 
     def _wake(self) -> None:
-        if not self._news.is_set():
+        if not self._changed.is_set():
             with contextlib.suppress(RuntimeError):  # the loop has ended
-                self._loop.call_soon_threadsafe(self._news.set)
+                self._loop.call_soon_threadsafe(self._changed.set)
 
     def _run(self) -> None:
         try:
@@ -143,11 +143,11 @@ class LiveServer:
         http = HTTPServer(application)
         http.add_sockets(self._sockets)
         while not self._is_over:
-            await self._news.wait()
-            self._news.clear()
-            told = [viewer.tell(self._state) for viewer in list(self._viewers)]
-            if not all(told):
-                self._news.set()  # one was still busy with the last news
+            await self._changed.wait()
+            self._changed.clear()
+            sent = [viewer.send(self._state) for viewer in list(self._viewers)]
+            if not all(sent):
+                self._changed.set()  # one was still busy with the last message
             await asyncio.sleep(PAUSE)
         http.stop()
         for viewer in list(self._viewers):
@@ -201,11 +201,11 @@ class _Viewer(_Guarded, WebSocketHandler):
     def on_close(self) -> None:
         self._server.forget(self)
 
-    def tell(self, state: LiveState) -> bool:
-        """Send what is new; False if the last news have not left yet."""
+    def send(self, state: LiveState) -> bool:
+        """Send what is new; False if the last message has not left yet."""
         if self._sending is not None and not self._sending.done():
             return False
-        text = state.news(self._known)
+        text = state.changes(self._known)
         if text is not None:
             self._known = state
             self._sending = asyncio.ensure_future(self._send(text))

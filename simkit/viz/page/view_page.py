@@ -16,10 +16,10 @@ from simkit.geometry import roll_pitch_yaw
 from simkit.viz.draw.drawing import Point
 from simkit.viz.draw.letters import shortened
 from simkit.viz.page.html import escaped, html_page
-from simkit.viz.page.scene_data import HELP, grid_note, summary
+from simkit.viz.page.scene_data import HELP, grid_note, scene_summary
 from simkit.viz.stage.frames import FramePose
+from simkit.viz.stage.parts import Role
 from simkit.viz.stage.scene import LONGEST, Scene
-from simkit.viz.stage.solid import Role
 
 _FILE = Path("viewer", "dist", "main.min.js")
 
@@ -102,7 +102,7 @@ def page_height(scene: Scene) -> int:
 def _view(scene: Scene) -> list[str]:
     return [
         '<div id="scene" tabindex="0" role="img" aria-describedby="numbers" '
-        f'aria-label="{escaped(summary(scene))} {HELP}">',
+        f'aria-label="{escaped(scene_summary(scene))} {HELP}">',
         f'<img id="still" alt="" src="{_still(scene)}">',
         '<canvas id="picture"></canvas><canvas id="labels"></canvas>',
         f'<p id="scale" class="quiet">{grid_note(scene.stage)}</p>',
@@ -154,7 +154,7 @@ def _words(scene: Scene) -> list[str]:
         *_list("problems", scene.problems),
         *_list("notes", scene.notes),
         f'<details id="table"{" hidden" * (not scene.tf.poses)}>'
-        f'<summary><span id="summary">{escaped(summary(scene))}</span> The same as numbers</summary>',
+        f'<summary><span id="summary">{escaped(scene_summary(scene))}</span> The same as numbers</summary>',
         '<div class="wide"><table id="numbers">',
         '<tr><th class="name">frame</th><th class="name">parent</th>',
         *(f"<th>{head}</th>" for head in ("x [m]", "y [m]", "z [m]")),

@@ -165,7 +165,7 @@ class Tracking:
 
 
 class TrackingPlot(Plot):
-    """What a joint trajectory controller tells on its topic `state`.
+    """What a joint trajectory controller publishes on its topic `state`.
 
     Args:
         recording: Of that topic.

@@ -1,6 +1,6 @@
 """Records what is true of a model in the world of physics: its pose and its joints, on a timer.
 
-No topic tells these: the effort of a joint, and where a robot really is. They are kept as messages, so
+No topic has these: the effort of a joint, and where a robot really is. They are kept as messages, so
 that every plot of messages shows them as well.
 """
 

@@ -53,7 +53,7 @@ class PathSeries:
 
 
 def path_series(recording: RecordedTopics, topic: str) -> PathSeries:
-    """The way that odometry tells.
+    """The way that odometry reports.
 
     Args:
         recording: Has messages of nav_msgs/Odometry.
@@ -94,7 +94,7 @@ def end_error(path: PathSeries, true: PathSeries) -> float:
     return math.dist((path.x[-1], path.y[-1]), (x, y))
 
 
-def within(path: PathSeries, others: Iterable[PathSeries]) -> PathSeries:
+def path_within(path: PathSeries, others: Iterable[PathSeries]) -> PathSeries:
     """The part of a way in the time of other ways, with the poses around it."""
     spans = [(one.times[0], one.times[-1]) for one in others]
     first = bisect_right(path.times, min(start for start, _ in spans)) - 1
@@ -150,7 +150,7 @@ class PathPlot(Plot):
             names = [recorded_topic(recording, _ODOMETRY, None)]
         self.paths: tuple[PathSeries, ...] = tuple(path_series(recording, n) for n in names)
         if true is not None:
-            true = within(laid_on(true, self.paths[0]) if align else true, self.paths)
+            true = path_within(laid_on(true, self.paths[0]) if align else true, self.paths)
         self.truth: PathSeries | None = true
 
     @property

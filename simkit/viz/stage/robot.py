@@ -1,18 +1,43 @@
-"""The shapes of a robot, in the colours that RViz gives them."""
+"""The shapes of a robot, in the colours that RViz gives them; and how much room it takes, however its joints move."""
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Final
 
+import numpy as np
+
+from simkit.errors import SimkitError
 from simkit.geometry import Vector
-from simkit.urdf import Box, Collision, Geometry, Link, Material, Mesh, Robot, Visual
-from simkit.urdf.mesh_file import MeshError, load_mesh
+from simkit.urdf import (
+    Box,
+    Collision,
+    Geometry,
+    Joint,
+    JointType,
+    Link,
+    Material,
+    Mesh,
+    Robot,
+    Visual,
+)
+from simkit.urdf.kinematics import forward_kinematics
+from simkit.urdf.mesh_file import MeshError, read_mesh
 from simkit.viz.draw.letters import shortened
-from simkit.viz.stage.solid import Color, Role, Solid, SolidShape, TriangleMesh, half_extents
+from simkit.viz.stage.frames import FramePose
+from simkit.viz.stage.parts import (
+    Color,
+    Role,
+    Solid,
+    SolidShape,
+    TriangleMesh,
+    corners,
+    half_extents,
+)
 
 UNPAINTED: Color = (0.9, 0.1, 0.1)
 """A visual without a material is red in RViz."""
@@ -85,7 +110,7 @@ def robot_shapes(robot: Robot, *, alpha: float = 1.0, tf_prefix: str = "") -> Ro
 
 
 def together(robots: Sequence[RobotShapes]) -> RobotShapes:
-    """Several robots as one thing to draw; a sentence for several of them is told once."""
+    """Several robots as one thing to draw; a sentence that is about several of them is there once."""
     return RobotShapes(
         models=tuple(model for one in robots for model in one.models),
         links=tuple(link for one in robots for link in one.links),
@@ -150,7 +175,7 @@ def _shape(link: str, geometry: Geometry, notes: list[str]) -> SolidShape:
     try:
         if geometry.path is None:
             raise MeshError(geometry.problem or "it was not found")
-        return read_mesh(geometry.path, geometry.scale)
+        return drawn_mesh(geometry.path, geometry.scale)
     except MeshError as error:
         notes.append(
             f"A box of {_MISSING_SIZE:g} m stands for the mesh {shortened(geometry.filename, 80)} "
@@ -163,7 +188,7 @@ MAX_TRIANGLES = 200_000
 """More triangles than this would choke a notebook."""
 
 
-def read_mesh(path: Path, scale: Vector) -> TriangleMesh:
+def drawn_mesh(path: Path, scale: Vector) -> TriangleMesh:
     """The triangles of a file.
 
     Args:
@@ -173,25 +198,63 @@ def read_mesh(path: Path, scale: Vector) -> TriangleMesh:
     Raises:
         MeshError: It is not there, of another kind, broken, or too large.
     """
-    mesh = load_mesh(path)
-    if len(mesh.faces) > MAX_TRIANGLES:
-        raise MeshError(f"it has {len(mesh.faces)} triangles, more than {MAX_TRIANGLES}")
-    return _packed(mesh, scale)
-
-
-def _packed(mesh: Any, scale: Vector) -> TriangleMesh:
-    import numpy as np
-
-    vertices = np.asarray(mesh.vertices, dtype=float) * np.array(scale)
-    triangles = np.asarray(mesh.faces)
-    if not np.isfinite(vertices).all() or triangles.min() < 0 or triangles.max() >= len(vertices):
-        raise MeshError("it is broken (numbers that are none)")
-    if np.prod(scale) < 0.0:
-        triangles = triangles[:, ::-1]  # a mirror turns the inside out
-    low, high = (tuple(map(float, bound)) for bound in (vertices.min(0), vertices.max(0)))
+    mesh = read_mesh(path, scale)
+    if len(mesh.triangles) > MAX_TRIANGLES:
+        raise MeshError(f"it has {len(mesh.triangles)} triangles, more than {MAX_TRIANGLES}")
+    low, high = (tuple(bound.tolist()) for bound in (mesh.vertices.min(0), mesh.vertices.max(0)))
     return TriangleMesh(
-        vertices=vertices.astype("<f4").tobytes(),
-        triangles=triangles.astype("<u4").tobytes(),
+        vertices=mesh.vertices.astype("<f4").tobytes(),
+        triangles=mesh.triangles.astype("<u4").tobytes(),
         low=(low[0], low[1], low[2]),
         high=(high[0], high[1], high[2]),
     )
+
+
+_TRIALS: Final = 60
+"So many positions of all joints are tried."
+_MOST_SOLIDS: Final = 60
+"Of a robot with more shapes, every second one is looked at, or every third, and so on."
+_PRIMES: Final = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)
+_SIDES: Final = tuple(side for side in itertools.product((-1, 0, 1), repeat=3) if any(side))
+
+
+def robot_room(model: RobotInTf, solids: Sequence[Solid]) -> tuple[Vector, ...]:
+    """Points on the outside of everywhere that a robot gets to, in the frame of its root [m].
+
+    Args:
+        model: The robot.
+        solids: Its shapes, and perhaps those of others.
+    """
+    points = list(_points(model, solids[:: 1 + len(solids) // _MOST_SOLIDS]))
+    if not points:
+        return ()
+    x, y, z = np.array(points).T
+    # Sums in a fixed order, and the first of equals: the same points on every machine.
+    farthest = [int(np.argmax(a * x + b * y + c * z)) for a, b, c in _SIDES]
+    return tuple(dict.fromkeys(points[number] for number in farthest))
+
+
+def _points(model: RobotInTf, solids: Sequence[Solid]) -> Iterator[Vector]:
+    """The corners of the boxes around all shapes, for many positions of the joints."""
+    robot = model.robot
+    moving = [joint for joint in robot.joints.values() if joint.moves and joint.mimic is None]
+    for trial in range(_TRIALS if moving else 1):
+        positions = {joint.name: _position(joint, n, trial) for n, joint in enumerate(moving)}
+        try:
+            found = forward_kinematics(robot, positions)
+        except SimkitError:
+            return  # joints that mimic each other in a circle
+        links = {model.frame(link): pose for link, pose in found.items()}
+        for solid in solids:
+            if solid.link in links:
+                origin, rotation = links[solid.link]
+                frame = FramePose(name="", parent=None, origin=origin, rotation=rotation)
+                yield from corners(solid, frame)
+
+
+def _position(joint: Joint, number: int, trial: int) -> float:
+    """Where a joint stands [rad or m]; over all trials the joints are spread evenly, each in its own rhythm."""
+    share = math.modf(trial * math.sqrt(_PRIMES[number % len(_PRIMES)]))[0]
+    if joint.type is JointType.CONTINUOUS or joint.limit is None:
+        return math.pi * (2.0 * share - 1.0)
+    return joint.limit.lower + share * (joint.limit.upper - joint.limit.lower)

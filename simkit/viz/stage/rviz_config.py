@@ -12,6 +12,7 @@ from typing import Any, Final
 
 from simkit.errors import SimkitError
 from simkit.graph.names import is_legal_name
+from simkit.viz.stage.parts import Color
 from simkit.viz.stage.rviz_settings import (
     DESCRIPTION,
     KEEP,
@@ -25,7 +26,6 @@ from simkit.viz.stage.rviz_settings import (
     RvizSettings,
     TopicDisplay,
 )
-from simkit.viz.stage.solid import Color
 
 _LONGEST = 1_000_000
 "Longest file [bytes]; those of RViz have some ten thousand."

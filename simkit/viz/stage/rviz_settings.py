@@ -13,8 +13,8 @@ from typing import ClassVar, Final, TypeAlias
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.msgs import Time
 from simkit.tf import LATEST
+from simkit.viz.stage.parts import Color, Role
 from simkit.viz.stage.scene import Displays
-from simkit.viz.stage.solid import Color, Role
 
 ODOMETRY_COLOR: Final[Color] = (1.0, 25 / 255, 0.0)
 """Of the arrows of odometry."""

@@ -12,15 +12,14 @@ from simkit.packages import PackagePath
 from simkit.tf import Buffer
 from simkit.urdf import UrdfError, load_robot
 from simkit.viz.stage.frames import TfScene, tf_scene
-from simkit.viz.stage.marks import Marks
-from simkit.viz.stage.robot import RobotShapes, robot_shapes, together
-from simkit.viz.stage.robot_room import robot_room
+from simkit.viz.stage.parts import Marks
+from simkit.viz.stage.robot import RobotShapes, robot_room, robot_shapes, together
 from simkit.viz.stage.rviz_settings import DESCRIPTION, RobotDisplay, RvizSettings
 from simkit.viz.stage.scene import Scene, make_scene
 from simkit.viz.stage.topic_listener import TopicListeners
 
 _MOST: Final = 6
-"So many faults of a robot that is refused are told."
+"So many faults of a robot that is refused are listed."
 
 
 def described_robot(
@@ -63,13 +62,13 @@ def described_robot(
     return robot_shapes(robot, alpha=alpha, tf_prefix=tf_prefix)
 
 
-def _more_faults(error: UrdfError, told: str) -> Iterator[str]:
+def _more_faults(error: UrdfError, first: str) -> Iterator[str]:
     """The other errors of a file, each in a line; of many the first ones."""
     found = [one for one in error.diagnostics if one.severity is Severity.ERROR]
     lines = [
         f"{one.file}:{one.span.line}:{one.span.column}: {one.what}; {one.remedy}" for one in found
     ]
-    others = [line for line in dict.fromkeys(lines) if line != told]
+    others = [line for line in dict.fromkeys(lines) if line != first]
     yield from others[:_MOST]
     if len(others) > _MOST:
         yield f"... and {len(others) - _MOST} more: simkit check_urdf shows them all."

@@ -5,20 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from simkit.geometry import IDENTITY, Quaternion, Vector, multiply, rotate
+from simkit.geometry import IDENTITY, Quaternion, Vector
 from simkit.msgs import Time
 from simkit.tf import LATEST, Buffer
 from simkit.viz.stage.camera import AXIS_SHARE, AXIS_SHARE_OF_ROBOT, Stage, stage_for
 from simkit.viz.stage.frames import FramePose, TfScene, tf_scene
-from simkit.viz.stage.marks import Marks
+from simkit.viz.stage.parts import Color, Marks, Role, Solid, corners, placed_in
 from simkit.viz.stage.robot import RobotShapes
-from simkit.viz.stage.solid import Color, Role, Solid, half_extents
 from simkit.viz.stage.style import LOST_ALPHA, LOST_COLOR, rgb
 
 LONGEST = 44
 """Letters of a name that are shown; of a longer one the middle is left out."""
 _WHITE_LINKS = "Links without a transform are white and at the origin, as in RViz."
-_CORNERS = tuple((x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -132,7 +130,7 @@ def make_scene(
         time: When; for each frame its own latest time if `Time(0)`.
         displays: What is shown at first; everything that is seen if None.
         room: Points that robots may get to [m], by the frame that they are in; the camera sees them too.
-        complaint: A problem to be told first; empty if there is none.
+        complaint: A problem that comes before all others; empty if there is none.
         marks: What the displays of topics draw.
         troubles: A sentence for each of these that cannot.
     """
@@ -141,8 +139,9 @@ def make_scene(
     shapes = robot.solids if displays.robot is not None else ()
     poses = {pose.name: pose for pose in frames.poses}
     solids = tuple(_placed(solid, poses, fixed_frame) for solid in shapes)
-    told = [complaint] if complaint else []
-    problems = dict.fromkeys([*told, *frames.problems, *_problems(robot, poses, frames)])
+    problems = dict.fromkeys(
+        [*([complaint] if complaint else []), *frames.problems, *_problems(robot, poses, frames)]
+    )
     notes = [*robot.notes, *_notes(solids, displays)]
     return Scene(
         tf=frames,
@@ -213,29 +212,3 @@ def _marked(marks: Iterable[Marks]) -> Iterator[Vector]:
         yield from drawing.points
         for line in drawing.lines:
             yield from line
-
-
-def corners(solid: Solid, frame: FramePose | None) -> Iterator[Vector]:
-    """The corners of the box around a shape, in the fixed frame [m].
-
-    Args:
-        solid: The shape.
-        frame: The frame of its link; None for the fixed frame.
-    """
-    middle, half = half_extents(solid.shape)
-    origin, turn = placed_in(frame, solid.translation, solid.rotation)
-    for signs in _CORNERS:
-        x, y, z = (m + s * h for m, s, h in zip(middle, signs, half, strict=True))
-        dx, dy, dz = rotate(turn, (x, y, z))
-        yield (origin[0] + dx, origin[1] + dy, origin[2] + dz)
-
-
-def placed_in(
-    frame: FramePose | None, translation: Vector, rotation: Quaternion
-) -> tuple[Vector, Quaternion]:
-    """A pose in a frame as a pose in the fixed frame; None is the fixed frame."""
-    if frame is None:
-        return translation, rotation
-    x, y, z = rotate(frame.rotation, translation)
-    a, b, c = frame.origin
-    return (a + x, b + y, c + z), multiply(frame.rotation, rotation)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from simkit.geometry import Vector
-from simkit.viz.stage.solid import Color
+from simkit.viz.stage.parts import Color
 
 AXIS_COLORS: Final = ("#e03b3b", "#2ba84a", "#3f82f2")
 """Of x, y and z."""

@@ -20,7 +20,7 @@ from simkit.tf import (
     ExtrapolationException,
     TransformException,
 )
-from simkit.viz.stage.marks import Marks
+from simkit.viz.stage.parts import Marks
 from simkit.viz.stage.rviz_settings import LaserScanDisplay, OdometryDisplay, TopicDisplay, label
 from simkit.viz.stage.topic_marks import (
     NOTHING,
@@ -113,7 +113,7 @@ class DisplayListener:
             try:
                 place = self._lookup(message.header)
             except TransformException as error:
-                # A message that is newer than tf is none to worry about: tf mostly comes a moment later.
+                # A message that is newer than tf is nothing to worry about: tf mostly comes a moment later.
                 is_usual = isinstance(error, ExtrapolationException) and self._shows_something
                 if not is_usual or len(self._waiting) == QUEUE:
                     self._problem = self._missing(message.header.frame_id, error)

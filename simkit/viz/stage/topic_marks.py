@@ -16,9 +16,8 @@ from numpy.typing import NDArray
 from simkit.geometry import Quaternion, Transform, Vector, rotate
 from simkit.viz.draw.letters import shortened
 from simkit.viz.stage import style
-from simkit.viz.stage.marks import Marks, Polyline
+from simkit.viz.stage.parts import Color, Marks, Polyline
 from simkit.viz.stage.rviz_settings import LaserScanDisplay, OdometryDisplay, TopicDisplay, label
-from simkit.viz.stage.solid import Color
 from simkit.viz.stage.style import hex_color
 from simkit.viz.still.surfaces import rotation_array
 
@@ -134,7 +133,7 @@ def scan_shown(display: LaserScanDisplay, scan: Any, place: Transform) -> Shown:
 
 
 def path_shown(path: Any, place: Transform) -> Shown:
-    """The line through a path; poses with numbers that are none are left out.
+    """The line through a path; poses with invalid numbers are left out.
 
     Args:
         path: A nav_msgs/Path; as in RViz, its own frame counts and not those of its poses.

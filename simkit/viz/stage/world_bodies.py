@@ -11,7 +11,7 @@ import numpy as np
 from simkit.geometry import Quaternion, Vector, multiply, quaternion_from_matrix, quaternion_from_z
 from simkit.physics import BodyPlan, JointKind, JointPlan, Model
 from simkit.urdf import Box, Cylinder, Sphere
-from simkit.viz.stage.solid import Color, Role, Solid
+from simkit.viz.stage.parts import Color, Role, Solid
 from simkit.viz.stage.world_models import link_frame
 
 LEAD: Final = 11_340.0

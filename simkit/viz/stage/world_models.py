@@ -17,8 +17,8 @@ from simkit.physics import Model, Plane, World
 from simkit.physics.sdf import SdfModel
 from simkit.urdf import Collision, Robot, Visual
 from simkit.urdf.rules.colours import COLOURS
+from simkit.viz.stage.parts import Color, Role, Solid
 from simkit.viz.stage.robot import painted, part_solid
-from simkit.viz.stage.solid import Color, Role, Solid
 
 
 class Thing(Protocol):

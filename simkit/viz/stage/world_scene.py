@@ -12,9 +12,8 @@ from simkit.physics import Model
 from simkit.urdf import Box
 from simkit.viz.stage.camera import AXIS_SHARE_OF_ROBOT, Stage, fitted, stage_for
 from simkit.viz.stage.frames import FramePose, TfScene
-from simkit.viz.stage.marks import Marks
-from simkit.viz.stage.scene import Displays, PlacedSolid, Scene, Window, corners
-from simkit.viz.stage.solid import Role, Solid
+from simkit.viz.stage.parts import Marks, Role, Solid, corners
+from simkit.viz.stage.scene import Displays, PlacedSolid, Scene, Window
 from simkit.viz.stage.world_bodies import body_solids
 from simkit.viz.stage.world_models import Ground, ModelShapes, Thing, link_frame, model_shapes
 
@@ -114,7 +113,9 @@ def make_actor(thing: Thing, *, name: str) -> Actor:
         name: What it is called in the view.
     """
     shapes = model_shapes(thing, name=name)
-    points = list(outline(shapes, {pose.name: pose for pose in link_poses(thing.model, name=name)}))
+    points = list(
+        shape_corners(shapes, {pose.name: pose for pose in link_poses(thing.model, name=name)})
+    )
     size = math.dist(*_bounds(points)) if points else 0.0
     inner = tuple(body_solids(thing.model, name=name, size=_AXIS_OF_MODEL * (size or 1.0)))
     shapes = replace(shapes, solids=shapes.solids + inner)
@@ -140,7 +141,7 @@ def link_poses(model: Model, *, name: str) -> Iterator[FramePose]:
         )
 
 
-def outline(shapes: ModelShapes, poses: Mapping[str, FramePose]) -> Iterator[Vector]:
+def shape_corners(shapes: ModelShapes, poses: Mapping[str, FramePose]) -> Iterator[Vector]:
     """Corners of the boxes around the shapes of a model [m].
 
     Args:

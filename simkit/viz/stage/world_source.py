@@ -12,7 +12,7 @@ from simkit.geometry import Vector
 from simkit.physics import Contact, Model
 from simkit.viz.draw.letters import shortened
 from simkit.viz.stage.frames import FramePose, TfScene
-from simkit.viz.stage.marks import Marks, Polyline
+from simkit.viz.stage.parts import Marks, Polyline
 from simkit.viz.stage.scene import LONGEST, Scene
 from simkit.viz.stage.world_models import Thing, WorldOfThings
 from simkit.viz.stage.world_scene import (
@@ -21,7 +21,7 @@ from simkit.viz.stage.world_scene import (
     WorldSettings,
     link_poses,
     make_actor,
-    outline,
+    shape_corners,
     world_scene,
 )
 
@@ -201,7 +201,7 @@ class WorldSource:
 
     def _outline(self, actor: Actor, poses: Mapping[str, FramePose]) -> Iterator[Vector]:
         room = _ROOM * actor.size if self._is_live and actor.model.is_free else 0.0
-        for x, y, z in outline(actor.shapes, poses):
+        for x, y, z in shape_corners(actor.shapes, poses):
             yield from ((x + dx, y + dy, z) for dx in (-room, room) for dy in (-room, room))
 
     def shapes(self) -> int:

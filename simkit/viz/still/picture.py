@@ -10,7 +10,7 @@ from simkit.viz.draw.figure import png_bytes
 from simkit.viz.draw.files import few_colored_png
 from simkit.viz.draw.letters import label_places, shortened, text_width, wrapped
 from simkit.viz.page.html import png_image
-from simkit.viz.page.scene_data import MOST_NAMES, grid_note, summary
+from simkit.viz.page.scene_data import MOST_NAMES, grid_note, scene_summary
 from simkit.viz.stage.camera import on_paper
 from simkit.viz.stage.scene import LONGEST, Scene
 from simkit.viz.stage.style import SKY
@@ -37,7 +37,7 @@ def still_png(scene: Scene, *, scale: int = 2) -> bytes:
 def still_image(scene: Scene) -> str:
     """The picture as an element of HTML, with words for those who do not see it."""
     data = few_colored_png(still_png(scene, scale=1))
-    return png_image(data, f"{scene.window.title}: {summary(scene)}")
+    return png_image(data, f"{scene.window.title}: {scene_summary(scene)}")
 
 
 def still_drawing(scene: Scene) -> Drawing:
@@ -54,8 +54,8 @@ def still_drawing(scene: Scene) -> Drawing:
     ]
     names = _names(scene) if scene.displays.tf else ()
     return Drawing(
-        title=f"{scene.window.title}: {summary(scene)}",
-        description=" ".join([summary(scene), *scene.problems, *scene.notes]),
+        title=f"{scene.window.title}: {scene_summary(scene)}",
+        description=" ".join([scene_summary(scene), *scene.problems, *scene.notes]),
         size=(SIZE[0], SIZE[1] + (_ROW * len(rows) + 10 if rows else 0)),
         background=SKY,
         shapes=(*names, *_corners(scene), *rows),

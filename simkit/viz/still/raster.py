@@ -11,7 +11,7 @@ from simkit.geometry import Vector
 from simkit.viz.draw.drawing import Point
 from simkit.viz.stage import style
 from simkit.viz.stage.camera import NEAR, Camera, focal_length
-from simkit.viz.stage.solid import Color
+from simkit.viz.stage.parts import Color
 from simkit.viz.still.surfaces import Surface
 
 Array: TypeAlias = NDArray[np.float64]

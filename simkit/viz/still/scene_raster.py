@@ -14,11 +14,17 @@ from simkit.viz.draw.drawing import Point
 from simkit.viz.stage import style
 from simkit.viz.stage.camera import Stage
 from simkit.viz.stage.frames import FramePose
-from simkit.viz.stage.marks import POINT_SIZE, Marks
+from simkit.viz.stage.parts import POINT_SIZE, Color, Marks, Role
 from simkit.viz.stage.scene import PlacedSolid, Scene
-from simkit.viz.stage.solid import Color, Role
 from simkit.viz.still.raster import Eye, Layer, Pixels
-from simkit.viz.still.surfaces import Array, Surface, joined, surface_of, unit_box, unit_cylinder
+from simkit.viz.still.surfaces import (
+    Array,
+    Surface,
+    joined_surfaces,
+    surface_of,
+    unit_box,
+    unit_cylinder,
+)
 
 _HALF = math.sqrt(0.5)
 _FROM_Z: tuple[Quaternion, ...] = (
@@ -60,7 +66,7 @@ def scene_parts(scene: Scene) -> SceneParts:
         for surface, color in _frame_surfaces(scene.tf.poses, scene.stage.axis_length):
             frames.setdefault(color, []).append(surface)
     inner = [(_surface(s), s.color) for s in shown if s.solid.role in _INNER]
-    axes = [(joined(parts), style.rgb(color)) for color, parts in frames.items()]
+    axes = [(joined_surfaces(parts), style.rgb(color)) for color, parts in frames.items()]
     marks = [marks for marks in scene.marks if marks.is_on]
     return SceneParts(
         lines=tuple(_grid(scene.stage)) if displays.grid else (),
@@ -84,7 +90,7 @@ def _dots(displays: Iterable[Marks], size: float) -> Iterator[tuple[Surface, Col
         for point, color in zip(marks.points, colors, strict=True):
             boxes.setdefault(color, []).append(unit_box().placed(point, IDENTITY, (size,) * 3))
         for color, parts in boxes.items():
-            yield joined(parts), style.rgb(color), marks.shines_through
+            yield joined_surfaces(parts), style.rgb(color), marks.shines_through
 
 
 def _strokes(displays: Iterable[Marks]) -> Iterator[tuple[Array, Color, bool]]:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from simkit.geometry import Quaternion, Vector
 from simkit.urdf import Box, Cylinder, Sphere
-from simkit.viz.stage.solid import SolidShape, TriangleMesh
+from simkit.viz.stage.parts import SolidShape, TriangleMesh
 
 Array: TypeAlias = NDArray[np.float64]
 
@@ -56,7 +56,7 @@ def surface_of(shape: SolidShape) -> Surface:
             return flat(points[np.frombuffer(triangles, "<u4").reshape(-1, 3)])
 
 
-def joined(surfaces: Sequence[Surface]) -> Surface:
+def joined_surfaces(surfaces: Sequence[Surface]) -> Surface:
     """Several surfaces as one."""
     return Surface(
         np.concatenate([surface.corners for surface in surfaces]),

@@ -1,4 +1,4 @@
 """The window of turtlesim to look at.
 
-`picture` is one moment, `replay` plays a `tape`, `page` is live in a browser; `view` offers them.
+`picture` is one moment, `replay` plays what happened; `view` offers them, and follows what happens.
 """

@@ -14,7 +14,7 @@ from typing import Any, Final
 from simkit.nodes.turtlesim import Frame, Stroke, Turtle, TurtlePose
 from simkit.nodes.turtlesim.window import METRE_PX, SIDE, SIDE_PX, TICK, TICK_NS, hex_rgb, pixel
 from simkit.viz.draw.letters import shortened
-from simkit.viz.draw.svg import number, placed, svg_element
+from simkit.viz.draw.svg import number, svg_element, svg_transform
 from simkit.viz.draw.thinning import Row, thinned
 from simkit.viz.page.html import escaped, html_page
 from simkit.viz.replay import Replay, Track, tape_controls, track_data
@@ -230,7 +230,7 @@ def _turtle(motion: TurtleMotion) -> str:
     body = "".join(svg_element(shape) for shape in turtle_shapes(motion.number))
     return (
         f'<g class="turtle"{hidden}>'
-        f'<g transform="{placed((x, y), -heading)}">{body}</g>'
+        f'<g transform="{svg_transform((x, y), -heading)}">{body}</g>'
         f'<text y="38" transform="translate({number(x)} {number(y)})">{escaped(shortened(motion.name, _LONGEST))}</text></g>'
     )
 

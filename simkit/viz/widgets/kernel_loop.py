@@ -1,4 +1,4 @@
-"""Work for the main thread of a notebook's kernel, between two cells.
+"""The kernel of a notebook, and work for its main thread, between two cells.
 
 A notebook may handle the messages of its widgets in a thread of their own, while a cell runs. What
 runs a simulation waits here until no cell does.
@@ -6,10 +6,16 @@ runs a simulation waits here until no cell does.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from simkit.viz.live_view import running_notebook
+
+def running_notebook() -> Any:
+    """IPython's shell in the kernel of a notebook; None elsewhere."""
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython is not None else None
+    return shell if hasattr(shell, "kernel") else None
 
 
 class Later(Protocol):

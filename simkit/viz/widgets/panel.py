@@ -14,9 +14,8 @@ from importlib import resources
 from typing import Any, ClassVar, Final
 
 from simkit.errors import SimkitError
-from simkit.viz.live_view import running_notebook
 from simkit.viz.page.html import png_image
-from simkit.viz.widgets.kernel_loop import KernelLoop, Later
+from simkit.viz.widgets.kernel_loop import KernelLoop, Later, running_notebook
 
 _PAUSE: Final = 0.1
 "At most so often the picture is drawn [s of wall-clock time]."

@@ -15,8 +15,7 @@ from typing import Any, Final
 import anywidget
 import traitlets
 
-from simkit.viz.page.live_state import LiveNews, NewsSource, SceneState
-from simkit.viz.page.scene_data import scene_data
+from simkit.viz.page.scene_data import LiveScene, LiveSource, SceneState, scene_data
 from simkit.viz.page.view_page import LIVE_STATUS, page_height, view_page
 
 LEAST_PAUSE: Final = 0.05
@@ -55,13 +54,13 @@ class SceneWidget(anywidget.AnyWidget):
     """What is written below the picture; empty as long as it is live."""
 
     def __init__(
-        self, source: NewsSource, *, clock: Callable[[], float] = time.monotonic, **traits: Any
+        self, source: LiveSource, *, clock: Callable[[], float] = time.monotonic, **traits: Any
     ) -> None:
-        self._news = LiveNews(source)
+        self._live = LiveScene(source)
         self._clock = clock
         self._next_time = 0.0
-        self._sent = self._news.state
-        first = self._news.scene
+        self._sent = self._live.state
+        first = self._live.scene
         page = view_page(
             first,
             data={**scene_data(first), "socket": ""},
@@ -72,9 +71,9 @@ class SceneWidget(anywidget.AnyWidget):
         super().__init__(page=page, title=first.window.title, height=height, **traits)
 
     @property
-    def news(self) -> LiveNews:
+    def live(self) -> LiveScene:
         """The scene as it was seen last."""
-        return self._news
+        return self._live
 
     def refresh(self, *, now: bool = False) -> None:
         """Look again, and send what has changed.
@@ -84,7 +83,7 @@ class SceneWidget(anywidget.AnyWidget):
         """
         if self.status or not (now or self._clock() >= self._next_time):
             return
-        self._publish(self._news.look())
+        self._publish(self._live.look())
         self._next_time = self._clock() + LEAST_PAUSE
 
     def end(self) -> None:
@@ -94,7 +93,8 @@ class SceneWidget(anywidget.AnyWidget):
     def _publish(self, state: SceneState) -> None:
         if state.number != self._sent.number:
             self.scene = (
-                json.dumps({"number": state.number})[:-1] + f',"scene":{state.scene},"news":{{}}}}'
+                json.dumps({"number": state.number})[:-1]
+                + f',"scene":{state.scene},"changes":{{}}}}'
             )
         if state != self._sent:
             self.moment = state.moment()

@@ -241,7 +241,7 @@ def controlled_joints(
         description: Parameter with the URDF of the robot, which has the limits.
 
     Raises:
-        SimkitError: The controller has no parameter `joints`, a joint is none of the robot, or there is no robot.
+        SimkitError: The controller has no parameter `joints`, the robot has no such joint, or there is no robot.
         UrdfError: The robot cannot be read.
     """
     names = graph.params.get(f"{controller}/joints", None)

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from simkit.physics import plan_robot
-from simkit.physics.mesh import CollisionMesh, read_mesh, stand_in
+from simkit.physics.mesh import CollisionMesh, stand_in
 from simkit.urdf import Box, Cylinder, Sphere, read_robot
-from simkit.urdf.mesh_file import MAX_BYTES, MeshError
+from simkit.urdf.mesh_file import MAX_BYTES, MeshError, read_mesh
 
 
 def stl(corners: np.ndarray) -> bytes:

@@ -81,9 +81,9 @@ def test_a_live_view_follows_each_run_and_ends_with_the_simulation(sim, drive):
     view = sim.rviz(live=True)
     assert isinstance(view, LiveRviz)
     assert view.url  # somebody wants to look
-    before = view._news.state
+    before = view._live.state
     drive(0.1)
-    after = view._news.state
+    after = view._live.state
     assert after.number == before.number
     assert after.poses != before.poses
     assert view.alive
@@ -133,7 +133,7 @@ def test_a_served_window_is_there_until_its_node_ends(sim, drive):
     view = sim.serve_window_of(rviz)
     assert view.url in rviz.output
     drive(0.1)  # the frame that is chosen appears later
-    assert view._news.scene.tf.fixed_frame == "world"
+    assert view._live.scene.tf.fixed_frame == "world"
     rviz.shutdown()
     drive(0.02)
     assert not view.alive

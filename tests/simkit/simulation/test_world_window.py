@@ -68,10 +68,10 @@ def test_a_live_window_follows_until_the_simulation_ends(sim, car):
     assert isinstance(live, LiveWorld)
     with urllib.request.urlopen(live.url) as page:
         assert b"<title>Gazebo</title>" in page.read()
-    before = live._news.state
+    before = live._live.state
     sim.gazebo.delete("car")
     sim.run(0.1)
-    assert live._news.state.number == before.number + 1
+    assert live._live.state.number == before.number + 1
     sim.close()
     assert not live.alive
 

@@ -12,8 +12,8 @@ from matplotlib.image import imread
 from simkit.graph.params import ParameterServer
 from simkit.packages import PackagePath
 from simkit.viz import LiveRviz, RvizReplay, RvizSettings, RvizView, SceneSource
+from simkit.viz.stage.parts import Role
 from simkit.viz.stage.scene import Displays, make_scene
-from simkit.viz.stage.solid import Role
 from simkit.viz.stage.style import AXIS_COLORS, rgb
 from simkit.viz.still.scene_raster import scene_pixels
 

@@ -13,7 +13,7 @@ from simkit.graph.params import ParameterServer
 from simkit.msgs import Time, message_class
 from simkit.packages import PackagePath
 from simkit.viz import LiveRviz, RvizReplay, RvizSettings, RvizView, SceneSource, TopicListeners
-from simkit.viz.stage.marks import moment_data
+from simkit.viz.stage.parts import moment_data
 from simkit.viz.stage.rviz_settings import LaserScanDisplay, OdometryDisplay, PathDisplay
 
 pytestmark = pytest.mark.slow
@@ -140,10 +140,10 @@ def test_a_live_view_hears_of_messages(robot, browse):
 def test_points_that_come_later_have_their_colours(robot, run_in_page):
     page = RvizView(robot.source.scene()).to_html()
     robot.say("/scan", scan())
-    news = json.dumps(moment_data(robot.source.marks()[0]))
+    moment = json.dumps(moment_data(robot.source.marks()[0]))
     script = f"""
     view.draw();
-    view.objects.marks[0].show({news});
+    view.objects.marks[0].show({moment});
     view.draw();
     const copy = document.createElement("canvas"), picture = element("picture");
     [copy.width, copy.height] = [picture.width, picture.height];

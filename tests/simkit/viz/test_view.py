@@ -8,8 +8,8 @@ import pytest
 from simkit.errors import UnknownNameError
 from simkit.msgs import Time
 from simkit.viz import RvizView
+from simkit.viz.stage.parts import Role
 from simkit.viz.stage.scene import Displays, make_scene
-from simkit.viz.stage.solid import Role
 
 
 def view(buffer, fixed_frame="world", **options):

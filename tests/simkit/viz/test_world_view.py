@@ -76,12 +76,12 @@ def test_it_is_saved_as_page_and_picture(sim, cart, tmp_path):
 def test_a_live_view_tells_where_links_and_contacts_are_now(sim, cart):
     source = WorldSource(sim.gazebo, WorldSettings(contacts=True), is_live=True)
     live = LiveWorld(source, is_over=lambda: not sim.gazebo.node.alive)
-    assert live.url  # starts the server, which tells the news
-    first = live._news.state
+    assert live.url  # starts the server, which sends what has moved
+    first = live._live.state
     cart.model.set_pose(cart.model.pose._replace(translation=(0.1, 0.0, 0.3)))
     sim.run(0.001)
     live.refresh()
-    state = live._news.state
+    state = live._live.state
     assert state.number == first.number
     assert state.poses[0][:3] == pytest.approx(cart.model.pose.translation, abs=1e-6)
     assert first.marks[0].points

@@ -19,7 +19,7 @@ class View {
     }
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.measure());
     addEventListener("theme", () => this.measure());
-    // A notebook loads this page before it gives it any room, and tells of no resize when it does.
+    // A notebook loads this page before it gives it any room, and sends no resize when it does.
     new ResizeObserver(() => this.measure()).observe(this.place);
     this.measure();
   }

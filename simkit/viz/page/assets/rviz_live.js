@@ -1,21 +1,21 @@
-// Follows a simulation: its server, or the widget around the page, tells what has moved. See live_state.py.
+// Follows a simulation: its server, or the widget around the page, sends what has moved. See scene_data.py.
 (() => {
   const place = element("live");
-  let told = 0;
+  let written = 0;
 
-  function hear({ scene, news }) {
+  function hear({ scene, changes }) {
     if (scene) {
       view.show(scene);
       tell(scene);
     }
-    for (const [number, pose] of Object.entries(news.poses || {})) {
+    for (const [number, pose] of Object.entries(changes.poses || {})) {
       const frame = view.scene.frames[number];
       [frame.p, frame.q] = [pose.slice(0, 3), pose.slice(3)];
     }
-    if (news.marks) view.objects?.marks.forEach((marks, i) => marks.show(view.scene.marks[i] = news.marks[i]));
+    if (changes.marks) view.objects?.marks.forEach((marks, i) => marks.show(view.scene.marks[i] = changes.marks[i]));
     view.moved();
-    if (element("table").open && performance.now() > told + 200) {
-      told = performance.now();
+    if (element("table").open && performance.now() > written + 200) {
+      written = performance.now();
       tellNumbers(view.scene.frames);
     }
   }
@@ -27,7 +27,7 @@
   if (view.scene.socket) follow(view.scene.socket, { hear, say, unreachable });
   else listen(say);
 
-  // The widget tells of a scene before the moments that belong to it.
+  // The widget sends a scene before the moments that belong to it.
   function listen(say) {
     let number = 0;
     addEventListener("message", ({ data, source }) => {

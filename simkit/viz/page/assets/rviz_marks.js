@@ -1,4 +1,4 @@
-// Points and lines that are others at each moment, as boxes and rods of three.js. Data: see marks.py.
+// Points and lines that are others at each moment, as boxes and rods of three.js. Data: see parts.py.
 class MarkObjects {
   constructor(THREE, scene, marks) {
     this.three = THREE;

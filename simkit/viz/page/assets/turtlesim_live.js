@@ -1,4 +1,4 @@
-// The window of turtlesim as it is now. See turtlesim/page.py.
+// The window of turtlesim as it is now. See turtlesim/view.py.
 (() => {
   const [data, place, picture] = ["data", "live", "window"].map((id) => document.getElementById(id));
   follow(JSON.parse(data.textContent).socket, {

@@ -24,9 +24,9 @@ function panel({ model, el }, name, controls) {
   return (state) => { message.textContent = state.message; message.hidden = !state.message; };
 }
 
-// Calls `show` with the state that the kernel tells, now and whenever it is another one.
+// Calls `show` with the state of the kernel's side, now and whenever it is another one.
 function follow(model, show) {
-  const told = () => show(model.get("state"));
-  model.on("change:state", told);
-  told();
+  const changed = () => show(model.get("state"));
+  model.on("change:state", changed);
+  changed();
 }

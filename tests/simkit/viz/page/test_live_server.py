@@ -14,7 +14,7 @@ from tornado.websocket import websocket_connect
 
 from simkit.viz.page import live_server
 from simkit.viz.page.live_server import ENDED, FULL, LiveServer
-from simkit.viz.page.live_state import SceneState
+from simkit.viz.page.scene_data import SceneState
 
 WAIT = 10.0
 
@@ -117,11 +117,11 @@ async def _connect(request):
 def test_a_viewer_hears_everything_and_then_what_moves(server):
     heard = listen(
         server,
-        until=lambda news: news["news"]["poses"]["0"][0] == 3.0,
+        until=lambda found: found["changes"]["poses"]["0"][0] == 3.0,
         changes=lambda: server.update(state(3.0)),
     )
-    assert heard[0] == {"scene": {"frames": []}, "news": {"poses": {"0": [0, 0, 0]}}}
-    assert heard[-1] == {"news": {"poses": {"0": [3, 0, 0]}}}
+    assert heard[0] == {"scene": {"frames": []}, "changes": {"poses": {"0": [0, 0, 0]}}}
+    assert heard[-1] == {"changes": {"poses": {"0": [3, 0, 0]}}}
 
 
 def test_of_many_changes_a_viewer_hears_some_and_the_last(server):
@@ -130,7 +130,7 @@ def test_of_many_changes_a_viewer_hears_some_and_the_last(server):
             server.update(state(float(step)))
 
     heard = listen(
-        server, until=lambda news: news["news"]["poses"]["0"][0] == 2000.0, changes=changes
+        server, until=lambda found: found["changes"]["poses"]["0"][0] == 2000.0, changes=changes
     )
     assert len(heard) < 200
 
@@ -155,7 +155,7 @@ def test_a_viewer_that_reads_nothing_holds_nobody_up(server):
             server.update(SceneState(number=number, scene=big, poses=()))
         server.update(state(7.0, number=60))
         heard = listen(server, until=lambda _: True)
-        assert heard[0]["news"]["poses"] == {"0": [7, 0, 0]}
+        assert heard[0]["changes"]["poses"] == {"0": [7, 0, 0]}
     assert eventually(lambda: server.viewer_count == 0)
 
 

@@ -3,13 +3,17 @@ from __future__ import annotations
 import base64
 import json
 import struct
+from dataclasses import replace
 
 import pytest
 
-from simkit.viz.page.scene_data import scene_data
+from simkit.graph.params import ParameterServer
+from simkit.packages import PackagePath
+from simkit.viz import RvizSettings, SceneSource
+from simkit.viz.page.scene_data import LiveScene, scene_data
+from simkit.viz.stage.parts import Marks, Role, Solid, TriangleMesh
 from simkit.viz.stage.robot import RobotShapes
 from simkit.viz.stage.scene import make_scene
-from simkit.viz.stage.solid import Role, Solid, TriangleMesh
 
 
 def data(*arguments, **options):
@@ -62,3 +66,84 @@ def test_a_mesh_is_there_once_however_often_it_is_used(arm_frames):
     (sent,) = found["meshes"]
     assert base64.b64decode(sent["vertices"]) == mesh.vertices
     assert base64.b64decode(sent["triangles"]) == mesh.triangles
+
+
+START = 1_600_088_400
+ROBOT = '<robot name="r"><link name="a"/></robot>'
+
+
+@pytest.fixture
+def parameters():
+    return ParameterServer()
+
+
+@pytest.fixture
+def live(turtles, parameters):
+    source = SceneSource(
+        RvizSettings(), buffer=turtles, parameters=parameters, packages=PackagePath([])
+    )
+    return LiveScene(source)
+
+
+def told(state, known=None):
+    text = state.changes(known)
+    return None if text is None else json.loads(text)
+
+
+def test_somebody_new_is_told_everything(live):
+    found = told(live.look())
+    assert [frame["label"] for frame in found["scene"]["frames"]] == [
+        *("world", "turtle1", "carrot1", "turtle2")
+    ]
+    assert set(found["changes"]["poses"]) == {"0", "1", "2", "3"}
+
+
+def test_who_knows_everything_is_told_nothing(live):
+    state = live.look()
+    assert told(state, state) is None
+
+
+def test_only_what_has_moved_is_told(live, turtles):
+    before = live.look()
+    turtles.put("world", "turtle2", START + 5, (4, 4, 0))
+    after = live.look()
+    found = told(after, before)
+    assert found == {"changes": {"poses": {"3": [4, 4, 0, 0, 0, 0, 1]}}}
+    assert after.scene == before.scene
+
+
+def test_points_and_lines_are_told_when_they_are_others(live):
+    contact = Marks(name="contacts", label="Contacts", color="#00ff00", points=((1.0, 2.0, 3.0),))
+    state = replace(live.look(), marks=(contact,))
+    data = [{"points": [1, 2, 3], "lines": []}]
+    assert told(state, live.look()) == {"changes": {"marks": data}}
+    assert told(state, state) is None
+    # Who gets another scene is told them anew.
+    assert told(state, replace(state, number=-1))["changes"]["marks"] == data
+
+
+@pytest.mark.parametrize("change", ["a frame", "the robot", "beyond the grid", "another parent"])
+def test_what_is_new_makes_another_scene(live, turtles, parameters, change):
+    before = live.look()
+    match change:
+        case "a frame":
+            turtles.put("world", "late", START)
+        case "the robot":
+            parameters.set("/robot_description", ROBOT)
+        case "beyond the grid":
+            turtles.put("world", "turtle2", START + 5, (40, 4, 0))
+        case "another parent":
+            turtles.put("turtle1", "turtle2", START + 5)
+    after = live.look()
+    assert after.number == before.number + 1
+    assert "scene" in told(after, before)
+    assert live.look().number == after.number
+
+
+def test_without_frames_there_is_a_scene_all_the_same(buffer, parameters):
+    source = SceneSource(
+        RvizSettings(), buffer=buffer, parameters=parameters, packages=PackagePath([])
+    )
+    found = told(LiveScene(source).look())
+    assert found["scene"]["error"].startswith("No tf data.")
+    assert found["changes"] == {}

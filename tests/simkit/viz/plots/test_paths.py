@@ -8,7 +8,7 @@ from simkit import Simulation
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.msgs import Time, message_class
 from simkit.viz import PathPlot
-from simkit.viz.plots.paths import end_error, laid_on, path_series, within
+from simkit.viz.plots.paths import end_error, laid_on, path_series, path_within
 
 
 class Ways:
@@ -75,7 +75,7 @@ def test_a_way_is_laid_on_another_wherever_the_robot_stood(ways):
 def test_a_true_way_is_cut_to_the_time_of_the_others(ways):
     true = path_series(Ways().drive("/t", rate=100), "/t")
     short = path_series(Ways().drive("/odom", rate=10, begin=0.455), "/odom")
-    cut = within(true, [short])
+    cut = path_within(true, [short])
     assert cut.times[0] <= short.times[0] < cut.times[1]
     assert cut.times[-1] == true.times[-1]
 

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import math
 import struct
 
 import pytest
@@ -8,8 +9,8 @@ import trimesh
 from simkit.urdf import Box, Cylinder, Sphere, load_robot
 from simkit.urdf.mesh_file import MeshError
 from simkit.viz.stage import robot as robot_module
-from simkit.viz.stage.robot import MISSING, TOUCHED, UNPAINTED, read_mesh, robot_shapes
-from simkit.viz.stage.solid import Role
+from simkit.viz.stage.parts import Role
+from simkit.viz.stage.robot import MISSING, TOUCHED, UNPAINTED, drawn_mesh, robot_room, robot_shapes
 
 
 def shapes(visual, more="", **options):
@@ -103,14 +104,14 @@ def triangles(mesh):
 @pytest.mark.parametrize(("name", "data"), [("a.stl", stl()), ("A.STL", stl()), ("a.obj", obj())])
 def test_triangles_of_a_file(tmp_path, name, data):
     (tmp_path / name).write_bytes(data)
-    mesh = read_mesh(tmp_path / name, (1.0, 1.0, 1.0))
+    mesh = drawn_mesh(tmp_path / name, (1.0, 1.0, 1.0))
     assert triangles(mesh) == [[CORNERS[i] for i in face] for face in FACES]
     assert (mesh.low, mesh.high) == ((0, 0, 0), (1, 2, 3))
 
 
 def test_the_scale_and_what_a_mirror_does_to_the_inside(tmp_path):
     (tmp_path / "a.stl").write_bytes(stl())
-    mesh = read_mesh(tmp_path / "a.stl", (2.0, -1.0, 1.0))
+    mesh = drawn_mesh(tmp_path / "a.stl", (2.0, -1.0, 1.0))
     assert (mesh.low, mesh.high) == ((0, -2, 0), (2, 0, 3))
     assert triangles(mesh)[0] == [(2, 0, 0), (0, -2, 0), (0, 0, 0)]
 
@@ -118,13 +119,13 @@ def test_the_scale_and_what_a_mirror_does_to_the_inside(tmp_path):
 def test_equal_files_give_equal_meshes(tmp_path):
     for name in ("a.stl", "b.stl"):
         (tmp_path / name).write_bytes(stl())
-    assert read_mesh(tmp_path / "a.stl", (1, 1, 1)) == read_mesh(tmp_path / "b.stl", (1, 1, 1))
+    assert drawn_mesh(tmp_path / "a.stl", (1, 1, 1)) == drawn_mesh(tmp_path / "b.stl", (1, 1, 1))
 
 
 def test_a_file_reads_no_other_file(tmp_path):
     (tmp_path / "secret.mtl").write_text("newmtl secret\nKd 1 0 0\n")
     (tmp_path / "a.obj").write_bytes(obj("mtllib secret.mtl\nusemtl secret\n"))
-    assert len(triangles(read_mesh(tmp_path / "a.obj", (1, 1, 1)))) == 4
+    assert len(triangles(drawn_mesh(tmp_path / "a.obj", (1, 1, 1)))) == 4
 
 
 @pytest.mark.parametrize(
@@ -140,7 +141,7 @@ def test_a_file_reads_no_other_file(tmp_path):
 def test_what_is_no_mesh_is_refused_with_a_reason(tmp_path, name, data, words):
     (tmp_path / name).write_bytes(data)
     with pytest.raises(MeshError, match=words):
-        read_mesh(tmp_path / name, (1, 1, 1))
+        drawn_mesh(tmp_path / name, (1, 1, 1))
 
 
 @pytest.mark.parametrize(
@@ -158,17 +159,60 @@ def test_the_unit_of_a_collada_file_counts_as_in_rviz(tmp_path, monkeypatch, hea
 
     monkeypatch.setattr(trimesh, "load_mesh", load)  # as with pycollada, which minds no unit
     (tmp_path / "a.dae").write_bytes(b"<COLLADA><asset>" + head + b"</asset></COLLADA>")
-    mesh = read_mesh(tmp_path / "a.dae", (1, 1, 2))
+    mesh = drawn_mesh(tmp_path / "a.dae", (1, 1, 2))
     assert mesh.high == pytest.approx((metres, 2 * metres, 6 * metres))
 
 
 def test_a_file_that_is_not_there_and_one_that_is_too_long(tmp_path, monkeypatch):
     with pytest.raises(MeshError, match="No such file"):
-        read_mesh(tmp_path / "a.stl", (1, 1, 1))
+        drawn_mesh(tmp_path / "a.stl", (1, 1, 1))
     (tmp_path / "a.stl").write_bytes(stl())
     monkeypatch.setattr(robot_module, "MAX_TRIANGLES", 3)
     with pytest.raises(MeshError, match="it has 4 triangles, more than 3"):
-        read_mesh(tmp_path / "a.stl", (1, 1, 1))
+        drawn_mesh(tmp_path / "a.stl", (1, 1, 1))
     monkeypatch.setattr("simkit.urdf.mesh_file.MAX_BYTES", 100)
     with pytest.raises(MeshError, match="longer than"):
-        read_mesh(tmp_path / "a.stl", (1, 1, 1))
+        drawn_mesh(tmp_path / "a.stl", (1, 1, 1))
+
+
+def room(joint, more=""):
+    text = f"""<robot name="r"><link name="a"/>
+    <link name="b"><visual>
+      <origin xyz="0 0 1"/><geometry><box size="0.2 0.2 2"/></geometry>
+    </visual></link>
+    <joint name="j" {joint}<parent link="a"/><child link="b"/></joint>{more}</robot>"""
+    shapes = robot_shapes(load_robot(text, file="r.urdf"))
+    return robot_room(shapes.models[0], shapes.solids)
+
+
+def bounds(points):
+    return [(min(p[axis] for p in points), max(p[axis] for p in points)) for axis in range(3)]
+
+
+def test_a_link_that_turns_takes_a_whole_circle():
+    x, y, z = bounds(room('type="continuous"><axis xyz="1 0 0"/>'))
+    assert x == pytest.approx((-0.1, 0.1))
+    reach = math.hypot(2, 0.1)
+    assert (*y, *z) == pytest.approx((-reach, reach, -reach, reach), rel=0.02)
+
+
+def test_limits_count():
+    limit = '<limit lower="0" upper="1.5708" effort="1" velocity="1"/>'
+    _, y, z = bounds(room(f'type="revolute"><axis xyz="1 0 0"/>{limit}'))
+    assert y[0] == pytest.approx(-2.0, rel=0.05)
+    assert y[1] == pytest.approx(0.1, rel=0.05)
+    assert z[0] == pytest.approx(-0.1, rel=0.3)
+
+
+def test_a_robot_that_does_not_move_takes_its_own_room():
+    assert bounds(room('type="fixed">')) == [(-0.1, 0.1), (-0.1, 0.1), (0.0, 2.0)]
+
+
+def test_there_are_few_points_and_always_the_same(arm):
+    points = robot_room(arm.models[0], arm.solids)
+    assert points == robot_room(arm.models[0], arm.solids)
+    assert 8 <= len(points) <= 26
+
+
+def test_nothing_to_see_takes_no_room(arm):
+    assert robot_room(arm.models[0], ()) == ()

@@ -4,6 +4,7 @@ import pytest
 
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.viz import RvizSettings, display_of, displays_of
+from simkit.viz.stage.parts import Role
 from simkit.viz.stage.rviz_settings import (
     SHOWN_TYPES,
     LaserScanDisplay,
@@ -12,7 +13,6 @@ from simkit.viz.stage.rviz_settings import (
     label,
 )
 from simkit.viz.stage.scene import Displays
-from simkit.viz.stage.solid import Role
 
 
 def test_displays_follow_the_settings():

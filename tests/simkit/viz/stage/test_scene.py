@@ -8,9 +8,9 @@ import pytest
 
 from simkit.geometry import rotate
 from simkit.viz.stage.camera import on_paper
+from simkit.viz.stage.parts import Role
 from simkit.viz.stage.robot import RobotShapes
 from simkit.viz.stage.scene import Displays, corners, make_scene
-from simkit.viz.stage.solid import Role
 from simkit.viz.stage.style import LOST_ALPHA
 
 

@@ -8,7 +8,7 @@ import pytest
 from simkit.geometry import rotate
 from simkit.urdf import Box, Cylinder
 from simkit.urdf.inertia import shape_tensor
-from simkit.viz.stage.solid import Role
+from simkit.viz.stage.parts import Role
 from simkit.viz.stage.world_bodies import LEAD, body_solids, inertia_box
 from simkit.viz.still.surfaces import rotation_array
 

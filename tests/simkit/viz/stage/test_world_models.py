@@ -5,7 +5,7 @@ import pytest
 from simkit.geometry import rotate
 from simkit.urdf import Box, Cylinder, Sphere, load_robot
 from simkit.urdf.rules.colours import COLOURS, PATTERNS
-from simkit.viz.stage.solid import Role
+from simkit.viz.stage.parts import Role
 from simkit.viz.stage.world_models import (
     GREY,
     TOUCHED,

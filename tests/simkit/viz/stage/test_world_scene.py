@@ -6,8 +6,7 @@ from dataclasses import replace
 import pytest
 
 from simkit.geometry import rotate
-from simkit.viz.stage.scene import corners
-from simkit.viz.stage.solid import Role
+from simkit.viz.stage.parts import Role, corners
 from simkit.viz.stage.world_scene import (
     GAZEBO,
     WORLD,
@@ -15,7 +14,7 @@ from simkit.viz.stage.world_scene import (
     ground_solid,
     link_poses,
     make_actor,
-    outline,
+    shape_corners,
     world_scene,
 )
 
@@ -35,7 +34,7 @@ def scene_of(gazebo, **settings):
         actors,
         frames,
         WorldSettings(**settings),
-        outlines={one.name: list(outline(one.shapes, poses)) for one in actors},
+        outlines={one.name: list(shape_corners(one.shapes, poses)) for one in actors},
         marks=(),
         headline="here",
     )

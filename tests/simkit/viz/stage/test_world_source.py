@@ -5,7 +5,7 @@ import math
 import pytest
 
 from simkit.errors import UnknownNameError
-from simkit.viz.stage.solid import Role
+from simkit.viz.stage.parts import Role
 from simkit.viz.stage.world_scene import WorldSettings, make_actor
 from simkit.viz.stage.world_source import (
     ForceScale,

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from simkit.viz.stage.camera import on_paper
-from simkit.viz.stage.marks import Marks
+from simkit.viz.stage.parts import Marks, Role
 from simkit.viz.stage.scene import Displays, make_scene
-from simkit.viz.stage.solid import Role
 from simkit.viz.stage.style import AXIS_COLORS, rgb
 from simkit.viz.still import scene_raster
 from simkit.viz.still.scene_raster import scene_pixels

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from simkit.urdf import Box, Cylinder, Sphere
-from simkit.viz.stage.solid import TriangleMesh
+from simkit.viz.stage.parts import TriangleMesh
 from simkit.viz.still.surfaces import surface_of, unit_cylinder
 
 TETRAHEDRON = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], "<f4")
