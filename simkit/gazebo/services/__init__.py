@@ -6,12 +6,9 @@ Source: gazebo_ros `gazebo_ros_api_plugin.cpp`: names, types and the texts of `s
 from __future__ import annotations
 
 from simkit.gazebo.server import Gazebo
-from simkit.gazebo.services.links import LinkServices
-from simkit.gazebo.services.models import ModelServices
+from simkit.gazebo.services.models import LinkServices, ModelServices
 from simkit.gazebo.services.pushes import PushServices
-from simkit.gazebo.services.spawn import SpawnServices
-from simkit.gazebo.services.worlds import WorldServices
-from simkit.msgs import service_class
+from simkit.gazebo.services.worlds import SpawnServices, WorldServices
 
 GROUPS = (SpawnServices, ModelServices, LinkServices, PushServices, WorldServices)
 """All services, by what they are about."""
@@ -20,10 +17,7 @@ GROUPS = (SpawnServices, ModelServices, LinkServices, PushServices, WorldService
 def offer_services(gazebo: Gazebo) -> None:
     """Offer all of them, by the node of the world."""
     for group in GROUPS:
-        for service in group(gazebo).services():
-            gazebo.node.advertise_service(
-                f"/gazebo/{service.name}", service_class(service.type_name), service.handle
-            )
+        group(gazebo).offer()
 
 
 __all__ = ["GROUPS", "offer_services"]

@@ -1,4 +1,4 @@
-"""Services that tell and set where models and their joints are."""
+"""Services that say and set where models, their joints and their links are, and what links weigh."""
 
 from __future__ import annotations
 
@@ -8,52 +8,17 @@ from typing import Any
 from simkit.errors import SimkitError
 from simkit.gazebo.poses import pose_message, transform_of_message, twist_message, vector_of
 from simkit.gazebo.server import Gazebo
-from simkit.gazebo.services.service import GazeboService, model_of
+from simkit.gazebo.services.service import ServiceGroup, answers, link_of, model_of
+from simkit.geometry import Transform
 from simkit.physics import JointKind, Model, ModelJoint
 
 _REVOLUTE, _CONTINUOUS, _PRISMATIC = 0, 1, 2
 
 
-class ModelServices:
-    """Services that tell and set where models and their joints are.
+class ModelServices(ServiceGroup):
+    """Services that say and set where models and their joints are."""
 
-    Args:
-        gazebo: The world.
-    """
-
-    def __init__(self, gazebo: Gazebo) -> None:
-        self._gazebo = gazebo
-
-    def services(self) -> list[GazeboService]:
-        """All of them."""
-        return [
-            GazeboService(
-                name="get_model_state",
-                type_name="gazebo_msgs/GetModelState",
-                answer=self._get_state,
-            ),
-            GazeboService(
-                name="set_model_state",
-                type_name="gazebo_msgs/SetModelState",
-                answer=self._set_state,
-            ),
-            GazeboService(
-                name="set_model_configuration",
-                type_name="gazebo_msgs/SetModelConfiguration",
-                answer=self._set_configuration,
-            ),
-            GazeboService(
-                name="get_model_properties",
-                type_name="gazebo_msgs/GetModelProperties",
-                answer=self._get_properties,
-            ),
-            GazeboService(
-                name="get_joint_properties",
-                type_name="gazebo_msgs/GetJointProperties",
-                answer=self._get_joint,
-            ),
-        ]
-
+    @answers("get_model_state", "gazebo_msgs/GetModelState")
     def _get_state(self, request: Any, response: Any) -> str:
         model = model_of(self._gazebo, request.model_name, "GetModelState")
         frame = self._gazebo.frame(request.relative_entity_name)
@@ -64,10 +29,12 @@ class ModelServices:
         response.twist = twist_message((frame.rotate_back(linear), frame.rotate_back(angular)))
         return "GetModelState: got properties"
 
+    @answers("set_model_state", "gazebo_msgs/SetModelState")
     def _set_state(self, request: Any, _response: Any) -> str:
         set_model_state(self._gazebo, request.model_state)
         return "SetModelState: set model state done"
 
+    @answers("set_model_configuration", "gazebo_msgs/SetModelConfiguration")
     def _set_configuration(self, request: Any, _response: Any) -> str:
         model = model_of(self._gazebo, request.model_name, "SetModelConfiguration")
         names, positions = request.joint_names, request.joint_positions
@@ -79,6 +46,7 @@ class ModelServices:
         model.set_joint_positions(dict(zip(names, positions, strict=True)))
         return "SetModelConfiguration: success"
 
+    @answers("get_model_properties", "gazebo_msgs/GetModelProperties")
     def _get_properties(self, request: Any, response: Any) -> str:
         model = model_of(self._gazebo, request.model_name, "GetModelProperties")
         response.canonical_body_name = next(iter(model.plan.bodies), "")
@@ -90,6 +58,7 @@ class ModelServices:
         response.is_static = model.plan.is_static
         return "GetModelProperties: got properties"
 
+    @answers("get_joint_properties", "gazebo_msgs/GetJointProperties")
     def _get_joint(self, request: Any, response: Any) -> str:
         joint = joint_of(self._gazebo, request.joint_name, "GetJointProperties")
         response.type = _joint_type(joint)
@@ -97,6 +66,58 @@ class ModelServices:
         response.position = [joint.position]
         response.rate = [joint.velocity]
         return "GetJointProperties: got properties"
+
+
+class LinkServices(ServiceGroup):
+    """Services that say where links are, and what they weigh."""
+
+    @answers("get_link_state", "gazebo_msgs/GetLinkState")
+    def _get_state(self, request: Any, response: Any) -> str:
+        model, link = link_of(self._gazebo, request.link_name, "GetLinkState")
+        frame = self._gazebo.frame(request.reference_frame)
+        linear, angular = model.link_twist(link)
+        state = response.link_state
+        state.link_name = request.link_name
+        state.pose = pose_message(frame.inverse() @ model.link_pose(link))
+        state.twist = twist_message((frame.rotate_back(linear), frame.rotate_back(angular)))
+        state.reference_frame = request.reference_frame
+        return "GetLinkState: got state"
+
+    @answers("get_link_properties", "gazebo_msgs/GetLinkProperties")
+    def _get_properties(self, request: Any, response: Any) -> str:
+        model, link = link_of(self._gazebo, request.link_name, "GetLinkProperties")
+        if link not in model.plan.bodies:
+            mount = model.plan.mounts[link].body
+            raise SimkitError(f"GetLinkProperties: {link} is a part of {mount}, ask for that one")
+        plan = model.plan.bodies[link]
+        body = plan.body
+        response.com = pose_message(Transform(body.centre))
+        response.gravity_mode = plan.gravity
+        response.mass = body.mass
+        tensor = body.tensor
+        response.ixx, response.ixy, response.ixz = tensor[0]
+        response.iyy, response.iyz = tensor[1][1:]
+        response.izz = tensor[2][2]
+        return "GetLinkProperties: got properties"
+
+    @answers("set_link_state", "gazebo_msgs/SetLinkState")
+    def _set_state(self, request: Any, _response: Any) -> str:
+        state = request.link_state
+        model, link = link_of(self._gazebo, state.link_name, "SetLinkState")
+        root = next(iter(model.plan.bodies))
+        if model.plan.mounts[link].body != root:
+            raise SimkitError(
+                f"SetLinkState: {link} hangs on joints: set these (/gazebo/set_model_configuration), or "
+                f"the link {root}, which carries all of {model.name}"
+            )
+        frame = self._gazebo.frame(state.reference_frame)
+        there = frame @ transform_of_message(state.pose)
+        model.set_pose(there @ (model.link_pose(link).inverse() @ model.pose))
+        model.set_twist(
+            frame.rotate(vector_of(state.twist.linear)),
+            frame.rotate(vector_of(state.twist.angular)),
+        )
+        return "SetLinkState: success"
 
 
 def set_model_state(gazebo: Gazebo, state: Any) -> None:

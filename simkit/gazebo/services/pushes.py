@@ -12,7 +12,7 @@ from typing import Any
 from simkit.gazebo.poses import vector_of
 from simkit.gazebo.server import Gazebo
 from simkit.gazebo.services.models import joint_of
-from simkit.gazebo.services.service import GazeboService, link_of
+from simkit.gazebo.services.service import ServiceGroup, answers, link_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,7 +58,7 @@ class Pushes:
             self._gazebo.world.before_step.remove(self._act)
 
 
-class PushServices:
+class PushServices(ServiceGroup):
     """Services that push links and drive joints, for a time.
 
     Args:
@@ -66,36 +66,12 @@ class PushServices:
     """
 
     def __init__(self, gazebo: Gazebo) -> None:
-        self._gazebo = gazebo
+        super().__init__(gazebo)
         self._pushes = Pushes(gazebo)
         # What acts on a model that is taken out must not act on.
         gazebo.on_delete.append(lambda spawned: self._pushes.clear("model", spawned.name))
 
-    def services(self) -> list[GazeboService]:
-        """All of them."""
-        return [
-            GazeboService(
-                name="apply_body_wrench",
-                type_name="gazebo_msgs/ApplyBodyWrench",
-                answer=self._push_body,
-            ),
-            GazeboService(
-                name="apply_joint_effort",
-                type_name="gazebo_msgs/ApplyJointEffort",
-                answer=self._drive_joint,
-            ),
-            GazeboService(
-                name="clear_body_wrenches",
-                type_name="gazebo_msgs/BodyRequest",
-                answer=self._clear_body,
-            ),
-            GazeboService(
-                name="clear_joint_efforts",
-                type_name="gazebo_msgs/JointRequest",
-                answer=self._clear_joint,
-            ),
-        ]
-
+    @answers("apply_body_wrench", "gazebo_msgs/ApplyBodyWrench")
     def _push_body(self, request: Any, _response: Any) -> str:
         model, link = link_of(self._gazebo, request.body_name, "ApplyBodyWrench")
         frame = self._gazebo.frame(request.reference_frame)
@@ -117,6 +93,7 @@ class PushServices:
         self._pushes.add(push)
         return "ApplyBodyWrench: success"
 
+    @answers("apply_joint_effort", "gazebo_msgs/ApplyJointEffort")
     def _drive_joint(self, request: Any, _response: Any) -> str:
         joint = joint_of(self._gazebo, request.joint_name, "ApplyJointEffort")
         start, end = _span(self._gazebo, request)
@@ -131,10 +108,12 @@ class PushServices:
         self._pushes.add(push)
         return "ApplyJointEffort: effort set"
 
+    @answers("clear_body_wrenches", "gazebo_msgs/BodyRequest")
     def _clear_body(self, request: Any, _response: Any) -> str:
         self._pushes.clear("body", request.body_name)
         return ""
 
+    @answers("clear_joint_efforts", "gazebo_msgs/JointRequest")
     def _clear_joint(self, request: Any, _response: Any) -> str:
         self._pushes.clear("joint", request.joint_name)
         return ""

@@ -1,9 +1,9 @@
-"""One service, and how it answers."""
+"""Groups of services, how they answer, and the models and links that requests name."""
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 from simkit.errors import SimkitError
@@ -11,35 +11,60 @@ from simkit.gazebo.server import Gazebo
 from simkit.msgs import Message, service_class
 from simkit.physics import Model
 
+Answer = Callable[[Any, Any, Any], str]
+"""A method that, given the request and an empty response, does it, fills the response, and returns the status."""
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class GazeboService:
-    """One service below `/gazebo`."""
 
-    name: str
-    """Its name there."""
-    type_name: str
-    """Its type."""
-    answer: Callable[[Any, Any], str]
-    """Given the request and an empty response, does it, fills the response, and returns the status."""
+def answers(name: str, type_name: str) -> Callable[[Answer], Answer]:
+    """Marks the method that answers a service.
 
-    def handle(self, request: Any) -> Message:
-        """Do what a request asks for; what goes wrong is told in the status."""
-        response: Any = service_class(self.type_name)._response_class()
-        has_status = hasattr(response, "status_message")
-        try:
-            status = self.answer(request, response)
-        except SimkitError as error:
-            if has_status:
-                response.success = False
-                response.status_message = str(error)
-            found: Message = response
-            return found
-        if has_status:
-            response.success = True
-            response.status_message = status
-        answered: Message = response
-        return answered
+    Args:
+        name: Name of the service, below `/gazebo`.
+        type_name: Its type.
+    """
+
+    def mark(method: Answer) -> Answer:
+        method.service = (name, type_name)  # type: ignore[attr-defined]
+        return method
+
+    return mark
+
+
+class ServiceGroup:
+    """Services of one subject: the methods that `answers` marks.
+
+    Args:
+        gazebo: The world.
+    """
+
+    def __init__(self, gazebo: Gazebo) -> None:
+        self._gazebo = gazebo
+
+    def offer(self) -> None:
+        """Offer them by the node of the world."""
+        for (name, type_name), method in self.marked():
+            kind = service_class(type_name)
+            answer = functools.partial(_answered, kind, functools.partial(method, self))
+            self._gazebo.node.advertise_service(f"/gazebo/{name}", kind, answer)
+
+    @classmethod
+    def marked(cls) -> list[tuple[tuple[str, str], Answer]]:
+        """Names and types of its services, with their methods."""
+        return [(one.service, one) for one in vars(cls).values() if hasattr(one, "service")]
+
+
+def _answered(kind: Any, answer: Callable[[Any, Any], str], request: Any) -> Message:
+    """The response to a request; what goes wrong is its status."""
+    response: Any = kind._response_class()
+    has_status = hasattr(response, "status_message")
+    try:
+        status, success = answer(request, response), True
+    except SimkitError as error:
+        status, success = str(error), False
+    if has_status:
+        response.success, response.status_message = success, status
+    found: Message = response
+    return found
 
 
 def model_of(gazebo: Gazebo, name: str, service: str) -> Model:

@@ -1,4 +1,4 @@
-"""Services of the world as a whole: time, gravity, what is in it."""
+"""Services of the world as a whole: models come and go, time, gravity, what is in it."""
 
 from __future__ import annotations
 
@@ -6,70 +6,73 @@ from collections.abc import Callable
 from typing import Any
 
 from simkit.errors import SimkitError
-from simkit.gazebo.poses import vector_of
-from simkit.gazebo.server import Gazebo
-from simkit.gazebo.services.service import GazeboService
+from simkit.gazebo.models import Spawned
+from simkit.gazebo.poses import transform_of_message, vector_of
+from simkit.gazebo.services.service import ServiceGroup, answers, model_of
+
+SPAWN, EMPTY = "gazebo_msgs/SpawnModel", "std_srvs/Empty"
 
 
-class WorldServices:
-    """Services of the world as a whole: time, gravity, what is in it.
+class SpawnServices(ServiceGroup):
+    """Services that bring models in and take them out."""
 
-    Args:
-        gazebo: The world.
-    """
+    @answers("spawn_urdf_model", SPAWN)
+    def _spawn_urdf(self, request: Any, _response: Any) -> str:
+        return _spawned(self._gazebo.spawn_urdf, request)
 
-    def __init__(self, gazebo: Gazebo) -> None:
-        self._gazebo = gazebo
+    @answers("spawn_sdf_model", SPAWN)
+    def _spawn_sdf(self, request: Any, _response: Any) -> str:
+        return _spawned(self._gazebo.spawn_sdf, request)
 
-    def services(self) -> list[GazeboService]:
-        """All of them."""
-        empty = "std_srvs/Empty"
-        return [
-            GazeboService(
-                name="pause_physics", type_name=empty, answer=self._doing(self._gazebo.pause)
-            ),
-            GazeboService(
-                name="unpause_physics", type_name=empty, answer=self._doing(self._gazebo.unpause)
-            ),
-            GazeboService(
-                name="reset_world", type_name=empty, answer=self._doing(self._gazebo.reset_world)
-            ),
-            GazeboService(
-                name="reset_simulation",
-                type_name=empty,
-                answer=self._doing(self._gazebo.reset_simulation),
-            ),
-            GazeboService(
-                name="get_world_properties",
-                type_name="gazebo_msgs/GetWorldProperties",
-                answer=self._get_world,
-            ),
-            GazeboService(
-                name="get_physics_properties",
-                type_name="gazebo_msgs/GetPhysicsProperties",
-                answer=self._get_physics,
-            ),
-            GazeboService(
-                name="set_physics_properties",
-                type_name="gazebo_msgs/SetPhysicsProperties",
-                answer=self._set_physics,
-            ),
-        ]
+    @answers("delete_model", "gazebo_msgs/DeleteModel")
+    def _delete(self, request: Any, _response: Any) -> str:
+        model_of(self._gazebo, request.model_name, "DeleteModel")
+        self._gazebo.delete(request.model_name)
+        return "DeleteModel: successfully deleted model"
 
-    @staticmethod
-    def _doing(act: Callable[[], None]) -> Callable[[Any, Any], str]:
-        def answer(_request: Any, _response: Any) -> str:
-            act()
-            return ""
 
-        return answer
+def _spawned(spawn: Callable[..., Spawned], request: Any) -> str:
+    spawn(
+        request.model_xml,
+        name=request.model_name,
+        pose=transform_of_message(request.initial_pose),
+        namespace=request.robot_namespace or None,
+        reference_frame=request.reference_frame,
+    )
+    return "SpawnModel: Successfully spawned entity"
 
+
+class WorldServices(ServiceGroup):
+    """Services of the world as a whole: time, gravity, what is in it."""
+
+    @answers("pause_physics", EMPTY)
+    def _pause(self, _request: Any, _response: Any) -> str:
+        self._gazebo.pause()
+        return ""
+
+    @answers("unpause_physics", EMPTY)
+    def _unpause(self, _request: Any, _response: Any) -> str:
+        self._gazebo.unpause()
+        return ""
+
+    @answers("reset_world", EMPTY)
+    def _reset_world(self, _request: Any, _response: Any) -> str:
+        self._gazebo.reset_world()
+        return ""
+
+    @answers("reset_simulation", EMPTY)
+    def _reset_simulation(self, _request: Any, _response: Any) -> str:
+        self._gazebo.reset_simulation()
+        return ""
+
+    @answers("get_world_properties", "gazebo_msgs/GetWorldProperties")
     def _get_world(self, _request: Any, response: Any) -> str:
         response.sim_time = self._gazebo.world.time_ns * 1e-9
         response.model_names = list(self._gazebo.world.models)
         response.rendering_enabled = True
         return "GetWorldProperties: got properties"
 
+    @answers("get_physics_properties", "gazebo_msgs/GetPhysicsProperties")
     def _get_physics(self, _request: Any, response: Any) -> str:
         response.time_step = self._gazebo.world.step_ns * 1e-9
         response.pause = self._gazebo.paused
@@ -78,6 +81,7 @@ class WorldServices:
         gravity.x, gravity.y, gravity.z = self._gazebo.world.gravity
         return "GetPhysicsProperties: got properties"
 
+    @answers("set_physics_properties", "gazebo_msgs/SetPhysicsProperties")
     def _set_physics(self, request: Any, _response: Any) -> str:
         step_s = self._gazebo.world.step_ns * 1e-9
         if request.time_step and abs(request.time_step - step_s) > 1e-12:
