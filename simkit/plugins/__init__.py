@@ -10,15 +10,14 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from simkit.plugins.errors import PluginError
     from simkit.plugins.plugin import Plugin
     from simkit.plugins.registry import PluginEntry, plugins
-    from simkit.plugins.site import Site
+    from simkit.plugins.site import PluginError, Site
 
 _HOMES = {
     "Plugin": "plugin",
     "PluginEntry": "registry",
-    "PluginError": "errors",
+    "PluginError": "site",
     "Site": "site",
     "plugins": "registry",
 }

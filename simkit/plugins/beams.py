@@ -12,17 +12,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from simkit.plugins.errors import PluginError
-from simkit.plugins.parameters import place
 from simkit.plugins.sensor_tag import (
     NoiseTag,
     SensorTag,
     read_count,
+    read_float,
     read_noise,
-    read_number,
     warn_of_strangers,
 )
-from simkit.plugins.site import Site
+from simkit.plugins.site import PluginError, Site
 from simkit.xml import Element
 
 Floats = NDArray[np.float64]
@@ -102,17 +100,17 @@ def read_ray(site: Site, tag: SensorTag) -> RayTag:
     ):
         if element is not None:
             warn_of_strangers(site, element, known)
-    read_number(site, reach, "resolution", 0.0, at_least=0.0)  # it has no effect in Gazebo either
+    read_float(site, reach, "resolution", 0.0, at_least=0.0)  # it has no effect in Gazebo either
     found = RayTag(
         flat=_row(site, scan, "horizontal", Row()),
         upright=_row(site, scan, "vertical", ONE_ROW),
-        near=read_number(site, reach, "min", 0.0, at_least=0.0),
-        far=read_number(site, reach, "max", 0.0, at_least=0.0, or_infinite=True),
+        near=read_float(site, reach, "min", 0.0, at_least=0.0),
+        far=read_float(site, reach, "max", 0.0, at_least=0.0, or_infinite=True),
         noise=read_noise(site, ray),
     )
     if found.flat.samples * found.upright.samples > MOST_BEAMS:
         raise PluginError(
-            f"{place(scan or tag.element, site)}: no laser has more than {MOST_BEAMS} beams"
+            f"{site.place(scan or tag.element)}: no laser has more than {MOST_BEAMS} beams"
         )
     _warn(site, tag, found, reach or ray or tag.element)
     return found
@@ -164,13 +162,13 @@ def _row(site: Site, scan: Element | None, name: str, default: Row) -> Row:
     warn_of_strangers(site, element, ("samples", "resolution", "min_angle", "max_angle"))
     row = Row(
         samples=read_count(site, element, "samples", default.samples),
-        resolution=read_number(site, element, "resolution", 1.0, at_least=0.0),
-        min_angle=read_number(site, element, "min_angle", 0.0),
-        max_angle=read_number(site, element, "max_angle", 0.0),
+        resolution=read_float(site, element, "resolution", 1.0, at_least=0.0),
+        min_angle=read_float(site, element, "min_angle", 0.0),
+        max_angle=read_float(site, element, "max_angle", 0.0),
     )
     if row.count < 1 or row.count > MOST_BEAMS:
         raise PluginError(
-            f"{place(element, site)}: <samples> times <resolution> is how many ranges are told, "
+            f"{site.place(element)}: <samples> times <resolution> is how many ranges are told, "
             f"and must be from 1 to {MOST_BEAMS}, not {row.samples * row.resolution:g}"
         )
     return row
@@ -179,16 +177,16 @@ def _row(site: Site, scan: Element | None, name: str, default: Row) -> Row:
 def _warn(site: Site, tag: SensorTag, ray: RayTag, at: Element) -> None:
     if ray.far <= ray.near:
         site.node.warn(
-            f"{place(at, site)}: the laser {tag.name!r} sees nothing: its <range> goes from {ray.near:g} m "
+            f"{site.place(at)}: the laser {tag.name!r} sees nothing: its <range> goes from {ray.near:g} m "
             f"to {ray.far:g} m. Write <min> and <max>, as in <min>0.1</min><max>10</max>"
         )
     if ray.upright.count > 1:
         site.node.warn(
-            f"{place(at, site)}: the laser {tag.name!r} has {ray.upright.count} rows of {ray.flat.count}; "
+            f"{site.place(at)}: the laser {tag.name!r} has {ray.upright.count} rows of {ray.flat.count}; "
             "a LaserScan has one, so its ranges hold them one behind the other, the lowest first"
         )
     if abs(ray.flat.max_angle - ray.flat.min_angle) > math.tau * 1.05:
         site.node.warn(
-            f"{place(at, site)}: the laser {tag.name!r} turns round "
+            f"{site.place(at)}: the laser {tag.name!r} turns round "
             f"{(ray.flat.max_angle - ray.flat.min_angle) / math.tau:.3g} times: angles are radians"
         )

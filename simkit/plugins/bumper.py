@@ -13,12 +13,11 @@ from simkit.errors import near_names
 from simkit.geometry import Vector
 from simkit.msgs import Time, message_class
 from simkit.physics import Contact, Side
-from simkit.plugins.parameters import place
+from simkit.plugins.parameters import resolve_frame, tf_prefix, topic_at_root
 from simkit.plugins.plugin import NEVER, Plugin
 from simkit.plugins.rate import SensorRate
 from simkit.plugins.sensor_tag import SensorTag, read_sensor, warn_of_strangers
 from simkit.plugins.site import Site
-from simkit.plugins.tag_values import resolve_frame, tf_prefix, topic_at_root
 from simkit.plugins.tags import BumperParameters
 
 MOST_STEPS = 100
@@ -144,7 +143,7 @@ def _shapes(site: Site, sensor: SensorTag, body: str) -> tuple[str, ...]:
         warn_of_strangers(site, contact, ("collision", "topic"))
     if not named:
         site.node.warn(
-            f"{place(contact or sensor.element, site)}: the sensor {sensor.name!r} feels nothing: it needs "
+            f"{site.place(contact or sensor.element)}: the sensor {sensor.name!r} feels nothing: it needs "
             f"<contact><collision>NAME</collision></contact>; shapes here: {', '.join(known) or 'none'}"
         )
     for element in named:
@@ -153,7 +152,7 @@ def _shapes(site: Site, sensor: SensorTag, body: str) -> tuple[str, ...]:
             near = near_names(name, known)
             hint = f"did you mean {near[0]}? " if near else ""
             site.node.warn(
-                f"{place(element, site)}: the sensor {sensor.name!r} is for a shape {name!r}, and {body} has none of "
+                f"{site.place(element)}: the sensor {sensor.name!r} is for a shape {name!r}, and {body} has none of "
                 f"that name, as Gazebo calls it; {hint}shapes here: {', '.join(known) or 'none'}"
             )
     return tuple(element.text.strip() for element in named)

@@ -16,10 +16,10 @@ from simkit.plugins.odometry import (
     planar_covariance,
     world_motion,
 )
+from simkit.plugins.parameters import resolve_frame, shown_namespace, tf_prefix, topic_of
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.rate import UpdateRate
 from simkit.plugins.site import Site
-from simkit.plugins.tag_values import resolve_frame, shown_namespace, tf_prefix, topic_of
 from simkit.plugins.tags import DiffDriveParameters
 from simkit.plugins.wheels import MotorWheel, SpeedRamp, TwistListener, WheelTransforms
 

@@ -13,15 +13,12 @@ from typing import Any
 
 import numpy as np
 
-from simkit.geometry import Vector, multiply, rotate
-from simkit.msgs import message_class, service_class
-from simkit.plugins.errors import PluginError
-from simkit.plugins.messages import imu_message
+from simkit.geometry import Quaternion, Vector, multiply, rotate
+from simkit.msgs import Time, message_class, service_class
 from simkit.plugins.noise import generator
-from simkit.plugins.parameters import place
+from simkit.plugins.parameters import read_triple, read_turn, topic_at_root
 from simkit.plugins.plugin import NEVER, Plugin
-from simkit.plugins.site import Site
-from simkit.plugins.tag_values import read_triple, read_turn, topic_at_root
+from simkit.plugins.site import PluginError, Site
 from simkit.plugins.tags import ImuParameters
 
 
@@ -33,7 +30,7 @@ class Imu(Plugin[ImuParameters]):
     def __init__(self, site: Site, parameters: ImuParameters) -> None:
         super().__init__(site, parameters)
         if parameters.body not in site.model.links:
-            where = place(site.element.child("bodyName") or site.element, site)
+            where = site.place(site.element.child("bodyName") or site.element)
             raise PluginError(
                 f"{where}: gazebo_ros_imu plugin error: bodyName: {parameters.body} does not exist; "
                 f"links that are simulated: {', '.join(site.model.links) or 'none'}"
@@ -65,7 +62,7 @@ class Imu(Plugin[ImuParameters]):
             lambda _: empty._response_class(),
         )
         site.node.info(
-            f"{place(site.element, site)}: libgazebo_ros_imu.so leaves gravity out: at rest it says 0, "
+            f"{site.place(site.element)}: libgazebo_ros_imu.so leaves gravity out: at rest it says 0, "
             "where a real IMU says 9.8 m/s^2 upward. libgazebo_ros_imu_sensor.so has it"
         )
 
@@ -125,3 +122,35 @@ class Imu(Plugin[ImuParameters]):
             return vector
         dx, dy, dz = self._random.normal(0.0, self.parameters.noise, 3).tolist()
         return (x + dx, y + dy, z + dz)
+
+
+def imu_message(
+    *,
+    stamp_ns: int,
+    frame: str,
+    orientation: Quaternion,
+    angular_velocity: Vector,
+    linear_acceleration: Vector,
+    noise: float,
+) -> Any:
+    """The message.
+
+    Args:
+        stamp_ns: Time of the measurement [ns].
+        frame: Frame of the header.
+        orientation: xyzw.
+        angular_velocity: [rad/s].
+        linear_acceleration: [m/s^2].
+        noise: Standard deviation; its square stands in the diagonals of all three covariances.
+    """
+    message: Any = message_class("sensor_msgs/Imu")()
+    message.header.stamp = Time.from_nsec(stamp_ns)
+    message.header.frame_id = frame
+    turn, rate, push = message.orientation, message.angular_velocity, message.linear_acceleration
+    turn.x, turn.y, turn.z, turn.w = orientation
+    rate.x, rate.y, rate.z = angular_velocity
+    push.x, push.y, push.z = linear_acceleration
+    v = noise * noise
+    for part in ("orientation", "angular_velocity", "linear_acceleration"):
+        setattr(message, f"{part}_covariance", [v, 0.0, 0.0, 0.0, v, 0.0, 0.0, 0.0, v])
+    return message

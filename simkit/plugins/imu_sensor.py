@@ -12,13 +12,13 @@ import numpy as np
 
 from simkit.geometry import Vector, conjugate, multiply, rotate
 from simkit.msgs import message_class
-from simkit.plugins.messages import imu_message
+from simkit.plugins.imu import imu_message
 from simkit.plugins.noise import AxisNoise, generator
+from simkit.plugins.parameters import read_triple, read_turn, topic_of
 from simkit.plugins.plugin import NEVER, Plugin
 from simkit.plugins.rate import SensorRate
 from simkit.plugins.sensor_tag import read_sensor, sensor_pose
 from simkit.plugins.site import Site
-from simkit.plugins.tag_values import read_triple, read_turn, topic_of
 from simkit.plugins.tags import ImuSensorParameters
 
 

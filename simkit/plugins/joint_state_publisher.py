@@ -11,12 +11,10 @@ from typing import Any, ClassVar
 from simkit.errors import near_names
 from simkit.msgs import message_class
 from simkit.physics import ModelJoint
-from simkit.plugins.errors import PluginError
-from simkit.plugins.parameters import place
+from simkit.plugins.parameters import shown_namespace, topic_of
 from simkit.plugins.plugin import Plugin
 from simkit.plugins.rate import UpdateRate
-from simkit.plugins.site import Site
-from simkit.plugins.tag_values import shown_namespace, topic_of
+from simkit.plugins.site import PluginError, Site
 from simkit.plugins.tags import JointStatePublisherParameters
 
 TOPIC = "joint_states"
@@ -124,7 +122,7 @@ class GazeboJointStatePublisher(Plugin[JointStatePublisherParameters]):
             return known[name]
         element = self.site.element.child("jointName") or self.site.element
         raise PluginError(
-            f"{place(element, self.site)}: Joint {name.strip() or repr(name)} does not exist! {_remedy(name, known)}Joints "
+            f"{self.site.place(element)}: Joint {name.strip() or repr(name)} does not exist! {_remedy(name, known)}Joints "
             f"of {self.site.model.name} that move: {', '.join(known) or 'none'}."
         )
 

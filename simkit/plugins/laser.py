@@ -15,11 +15,11 @@ from simkit.msgs import Time, message_class
 from simkit.physics import MISS
 from simkit.plugins.beams import Floats, directions, read_ray, resampled
 from simkit.plugins.noise import Noise
+from simkit.plugins.parameters import resolve_frame, tf_prefix, topic_of
 from simkit.plugins.plugin import NEVER, Plugin
 from simkit.plugins.rate import SensorRate
 from simkit.plugins.sensor_tag import read_sensor, sensor_pose
 from simkit.plugins.site import Site
-from simkit.plugins.tag_values import resolve_frame, tf_prefix, topic_of
 from simkit.plugins.tags import LASER_DEFAULT, LaserParameters
 
 

@@ -11,7 +11,6 @@ from typing import Any, ClassVar
 from simkit.errors import near_names
 from simkit.geometry import Transform, Vector, conjugate, multiply, rotate
 from simkit.msgs import message_class
-from simkit.plugins.errors import PluginError
 from simkit.plugins.noise import generator
 from simkit.plugins.odometry import (
     Covariances,
@@ -20,10 +19,9 @@ from simkit.plugins.odometry import (
     odometry_message,
     set_pose,
 )
-from simkit.plugins.parameters import place
+from simkit.plugins.parameters import read_triple, read_turn, resolve_frame, tf_prefix, topic_of
 from simkit.plugins.plugin import NEVER, Plugin
-from simkit.plugins.site import Site
-from simkit.plugins.tag_values import read_triple, read_turn, resolve_frame, tf_prefix, topic_of
+from simkit.plugins.site import PluginError, Site
 from simkit.plugins.tags import P3dParameters
 
 WORLD_FRAMES = ("world", "/world", "map", "/map")
@@ -106,7 +104,7 @@ class P3d(Plugin[P3dParameters]):
         near = near_names(link, known)
         hint = f"; did you mean {near[0]}?" if near else ""
         raise PluginError(
-            f"{place(element, self.site)}: gazebo_ros_p3d plugin error: {name}: {link} does not exist"
+            f"{self.site.place(element)}: gazebo_ros_p3d plugin error: {name}: {link} does not exist"
             f"{hint} Links of {self.site.model.name}: {', '.join(known) or 'none'}."
         )
 

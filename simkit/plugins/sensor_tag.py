@@ -11,9 +11,7 @@ from dataclasses import dataclass
 
 from simkit.errors import near_names
 from simkit.geometry import Transform
-from simkit.plugins.errors import PluginError
-from simkit.plugins.parameters import place
-from simkit.plugins.site import Site
+from simkit.plugins.site import PluginError, Site
 from simkit.xml import Element
 
 _COMMON = ("pose", "update_rate", "always_on", "visualize", "topic", "plugin")
@@ -65,7 +63,7 @@ def read_sensor(site: Site, kind: str) -> SensorTag:
     element = site.sensor
     if element is None or element.get("type") != kind:
         raise PluginError(
-            f"{place(site.element, site)}: the plugin {site.name} belongs into a "
+            f"{site.place(site.element)}: the plugin {site.name} belongs into a "
             f'<sensor type="{kind}"> in a <gazebo reference="LINK">'
         )
     name = element.get("name") or kind
@@ -76,7 +74,7 @@ def read_sensor(site: Site, kind: str) -> SensorTag:
         name=name,
         link=link,
         pose=_pose(site, element.child("pose")),
-        update_rate=read_number(site, element, "update_rate", 0.0, at_least=0.0),
+        update_rate=read_float(site, element, "update_rate", 0.0, at_least=0.0),
     )
 
 
@@ -85,7 +83,7 @@ def sensor_pose(site: Site, tag: SensorTag) -> Transform:
     return site.model.link_pose(tag.link) @ tag.pose
 
 
-def read_number(
+def read_float(
     site: Site,
     parent: Element | None,
     name: str,
@@ -116,21 +114,21 @@ def read_number(
     except ValueError:
         value = math.nan
     if math.isnan(value) or (math.isinf(value) and not or_infinite) or "_" in text:
-        raise PluginError(f"{place(element, site)}: <{name}> is a number, not {text!r}")
+        raise PluginError(f"{site.place(element)}: <{name}> is a number, not {text!r}")
     if value < at_least:
         raise PluginError(
-            f"{place(element, site)}: <{name}> is {text}, and must be at least {at_least:g}"
+            f"{site.place(element)}: <{name}> is {text}, and must be at least {at_least:g}"
         )
     return value
 
 
 def read_count(site: Site, parent: Element | None, name: str, default: int) -> int:
-    """The whole number in a tag, from 1 on; see `read_number`."""
-    value = read_number(site, parent, name, default, at_least=1.0)
+    """The whole number in a tag, from 1 on; see `read_float`."""
+    value = read_float(site, parent, name, default, at_least=1.0)
     element = None if parent is None else parent.child(name)
     if element is not None and value != int(value):
         raise PluginError(
-            f"{place(element, site)}: <{name}> is a whole number, not {element.text.strip()!r}"
+            f"{site.place(element)}: <{name}> is a whole number, not {element.text.strip()!r}"
         )
     return int(value)
 
@@ -152,15 +150,15 @@ def read_noise(site: Site, parent: Element | None) -> NoiseTag | None:
         return None
     if not kind.startswith("gaussian"):
         raise PluginError(
-            f"{place(inner or element, site)}: there is no noise of type {kind!r}; write gaussian, or none"
+            f"{site.place(inner or element)}: there is no noise of type {kind!r}; write gaussian, or none"
         )
     warn_of_strangers(site, element, _NOISE)
     return NoiseTag(
-        mean=read_number(site, element, "mean", 0.0),
-        stddev=read_number(site, element, "stddev", 0.0, at_least=0.0),
-        bias_mean=read_number(site, element, "bias_mean", 0.0),
-        bias_stddev=read_number(site, element, "bias_stddev", 0.0, at_least=0.0),
-        precision=read_number(site, element, "precision", 0.0, at_least=0.0),
+        mean=read_float(site, element, "mean", 0.0),
+        stddev=read_float(site, element, "stddev", 0.0, at_least=0.0),
+        bias_mean=read_float(site, element, "bias_mean", 0.0),
+        bias_stddev=read_float(site, element, "bias_stddev", 0.0, at_least=0.0),
+        precision=read_float(site, element, "precision", 0.0, at_least=0.0),
     )
 
 
@@ -171,7 +169,7 @@ def warn_of_strangers(site: Site, element: Element, known: Sequence[str]) -> Non
             near = near_names(child.name, known)
             hint = f"; did you mean <{near[0]}>?" if near else f"; it reads: {', '.join(known)}"
             site.node.warn(
-                f"{place(child, site)}: <{element.name}> does not read <{child.name}>{hint}"
+                f"{site.place(child)}: <{element.name}> does not read <{child.name}>{hint}"
             )
 
 
@@ -179,7 +177,7 @@ def _link(site: Site, element: Element, name: str) -> str:
     link = site.link
     if link is not None and link in site.model.links:
         return link
-    where = f"{place(element, site)}: the sensor {name!r}"
+    where = f"{site.place(element)}: the sensor {name!r}"
     if link is None:
         raise PluginError(
             f'{where} is on no link: put it into a <gazebo reference="LINK"> that names its link'
@@ -200,7 +198,7 @@ def _pose(site: Site, element: Element | None) -> Transform:
     frame = element.get("relative_to") or element.get("frame") or site.link
     if frame != site.link:
         raise PluginError(
-            f"{place(element, site)}: the pose of a sensor is seen from its link {site.link!r}, "
+            f"{site.place(element)}: the pose of a sensor is seen from its link {site.link!r}, "
             f"not from {frame!r}"
         )
     try:
@@ -209,7 +207,7 @@ def _pose(site: Site, element: Element | None) -> Transform:
         x = y = z = roll = pitch = yaw = math.nan
     if not all(abs(value) <= 1e6 for value in (x, y, z, roll, pitch, yaw)):
         raise PluginError(
-            f"{place(element, site)}: a <pose> is six numbers, x y z [m] roll pitch yaw [rad], "
+            f"{site.place(element)}: a <pose> is six numbers, x y z [m] roll pitch yaw [rad], "
             f"not {element.text.strip()!r}"
         )
     return Transform.from_rpy((x, y, z), (roll, pitch, yaw))

@@ -5,10 +5,15 @@ from __future__ import annotations
 import zlib
 from dataclasses import dataclass
 
+from simkit.errors import SimkitError
 from simkit.graph import Node
 from simkit.physics import Model, World
 from simkit.urdf import Robot
 from simkit.xml import Element
+
+
+class PluginError(SimkitError):
+    """A plugin cannot work as its tag says; it is not loaded, and its model is there without it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,6 +60,10 @@ class Site:
     def now_ns(self) -> int:
         """Virtual time of the graph [ns]."""
         return self.node.graph.executor.now_ns
+
+    def place(self, element: Element) -> str:
+        """Where a tag stands, to begin a sentence with."""
+        return f"{self.file or self.model.name}:{element.span.line}:{element.span.column}"
 
     def resolve(self, name: str) -> str:
         """The global name of a topic, service or parameter of the plugin."""

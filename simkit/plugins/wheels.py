@@ -7,11 +7,9 @@ from typing import Any
 
 from simkit.errors import near_names
 from simkit.msgs import message_class
-from simkit.plugins.errors import PluginError
 from simkit.plugins.odometry import Frames, set_transform, transform_message
-from simkit.plugins.parameters import place
-from simkit.plugins.site import Site
-from simkit.plugins.tag_values import resolve_frame
+from simkit.plugins.parameters import resolve_frame
+from simkit.plugins.site import PluginError, Site
 
 FASTEST = 1e5
 """No motor is asked for more [rad/s]."""
@@ -113,7 +111,7 @@ def _no_joint(site: Site, tag: str, joint: str, speaker: str) -> str:
     hint = f"; did you mean {near[0]}?" if near else ""
     element = site.element.child(tag) or site.element
     return (
-        f"{place(element, site)}: {speaker}: couldn't get wheel hinge joint named {joint}{hint} "
+        f"{site.place(element)}: {speaker}: couldn't get wheel hinge joint named {joint}{hint} "
         f"<{tag}> names one of the joints of {site.model.name} that move: {', '.join(known) or 'none'}."
     )
 
