@@ -18,8 +18,8 @@ from simkit.commands.parser import ArgumentParser
 from simkit.commands.rosrun import LAST_WORDS, NodeOutput, press, takes_keys, watch
 from simkit.errors import SimkitError
 from simkit.graph.log import LogLevel
-from simkit.launch import Launch, listings, summary_of
-from simkit.launch.budget import MAX_LAUNCH_BYTES
+from simkit.launch import Launch, summary, summary_of
+from simkit.launch.files import MAX_LAUNCH_BYTES
 
 if TYPE_CHECKING:
     from simkit.simulation import Simulation
@@ -52,7 +52,7 @@ def add_own_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--screen", action="store_true", help="show what all nodes print, whatever output= says"
     )
-    listings.add_list_options(parser)
+    summary.add_list_options(parser)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -72,7 +72,7 @@ def own_words(arguments: argparse.Namespace, rest: list[str]) -> list[str]:
     """
     if not rest:
         raise SimkitError("which launch file? simkit roslaunch PACKAGE FILE, or PATH")
-    listed = listings.wants_list(arguments)
+    listed = summary.wants_list(arguments)
     if listed:  # nothing is started, so nobody is joined
         arguments.fast = True
     first, *more = rest
@@ -115,8 +115,8 @@ def run(call: Call) -> Answer:
     options, names = _read(call.words)
     sim = call.sim
     plan = sim.launch_plan(*names)
-    if listings.wants_list(options):
-        yield listings.list_text(plan, options, sim.packages)
+    if summary.wants_list(options):
+        yield summary.list_text(plan, options, sim.packages)
         return 0
     yield f"{call.opening}{summary_of(plan)}\n"
     if call.hosts and not plan.nodes:

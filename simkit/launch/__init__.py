@@ -8,9 +8,9 @@ from simkit.launch.errors import LaunchError
 from simkit.launch.evaluate import evaluate
 from simkit.launch.file_search import find_launch_file, given_arguments
 from simkit.launch.launch import Launch
-from simkit.launch.listings import summary_of
+from simkit.launch.parameters import robot_lines
 from simkit.launch.plan import LaunchPlan, PlannedNode
-from simkit.launch.robot_checks import robot_lines
+from simkit.launch.summary import summary_of
 
 __all__ = [
     "Launch",

@@ -10,8 +10,8 @@ import shlex
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
+from simkit.launch.errors import Kind, LaunchRefused, Lesson
 from simkit.launch.files import Files
-from simkit.launch.refusal import Kind, LaunchRefused, Lesson
 from simkit.launch.rules import COMMAND
 
 _XACRO_TAG = re.compile(r"<\s*xacro:|\$\{|\$\((?:arg|find|eval|env|optenv|dirname|cwd)\b")

@@ -8,12 +8,10 @@ from pathlib import Path
 
 from simkit.diagnostics import Severity, in_order
 from simkit.errors import near_names
-from simkit.launch.budget import Budget
-from simkit.launch.errors import LaunchError, error_of
-from simkit.launch.files import Files
+from simkit.launch.errors import Kind, LaunchError, LaunchPlace, LaunchRefused, Lesson, error_of
+from simkit.launch.files import Budget, Files
 from simkit.launch.launch_file import LaunchFile, read_launch_file
 from simkit.launch.plan import TEXT_NAME, LaunchPlan
-from simkit.launch.refusal import Kind, LaunchPlace, LaunchRefused, Lesson
 from simkit.launch.rules import UNUSED_ARGUMENT, USE_GUI
 from simkit.launch.scope import Scope
 from simkit.launch.state import LaunchState

@@ -18,8 +18,8 @@ import warnings
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from simkit.launch.budget import MAX_STRING
-from simkit.launch.refusal import Kind, LaunchRefused, Lesson, ours
+from simkit.launch.errors import Kind, LaunchRefused, Lesson, ours
+from simkit.launch.files import MAX_STRING
 from simkit.launch.rules import SUBSTITUTION
 
 MAX_LENGTH = 2000

@@ -1,23 +1,95 @@
-"""The files that a launch file names: packages, other launch files, robots, YAML."""
+"""The files that a launch file names, and how much it may ask for: evaluation always ends, and soon."""
 
 from __future__ import annotations
 
 import os
+from collections import Counter
 from pathlib import Path
 
 from simkit.errors import UnknownNameError
-from simkit.launch.budget import MAX_FILE_BYTES, Budget
+from simkit.launch.errors import Kind, LaunchRefused, Lesson, ours
 from simkit.launch.file_search import KNOWN, how_to_name, torn_find
-from simkit.launch.refusal import Kind, LaunchRefused, Lesson, ours
-from simkit.launch.rules import FILE, SUBSTITUTION
+from simkit.launch.rules import FILE, SUBSTITUTION, TOO_MUCH
 from simkit.nodes import builtin_nodes
 from simkit.packages import Package, PackageError, PackagePath
 
+MAX_INCLUDE_DEPTH = 25
+"""Launch files that include each other in a chain."""
+MAX_GROUP_DEPTH = 60
+"""Groups in groups."""
+MAX_STRING = 100_000
+"""Characters of one value after its `$(...)` were replaced."""
+MAX_FILE_BYTES = 10_000_000
+"""Size of a file that a parameter is read from."""
+MAX_LAUNCH_BYTES = 300_000
+"""Size of a launch file."""
+_INCLUDED_AGAIN = "Look for a file that is included again and again."
+_LIMITS = {
+    "tags": (10_000, "the launch files come to more than {} tags in all", _INCLUDED_AGAIN),
+    "bytes": (1_000_000, "the launch files have more than {} bytes in all", _INCLUDED_AGAIN),
+    "files": (
+        300,
+        "more than {} launch files are included",
+        "Look for files that include each other.",
+    ),
+    "yaml": (
+        100_000,
+        "the YAML of this launch file is longer than {} characters",
+        "Parameters are for settings; keep data in files that the node reads.",
+    ),
+    "all": (
+        50_000_000,
+        "the values of this launch file are longer than {} characters in all",
+        "Look for arguments that double again and again.",
+    ),
+}
+"""What is counted: tags with the parameters and remappings that come of them; bytes and number of launch files; characters
+of YAML, which is slow to read; characters and bytes of all values and files. How much there may be, and what to say of more."""
 XACRO = "xacro"
 """A package of which only its program counts, and only as the command of a parameter."""
 OF_ROS = frozenset({"controller_manager", "gazebo_plugins", "gazebo_ros_control", "rviz"})
 """Packages of ROS that robots' launch files name; those with nodes in the kit are known besides."""
 _IN_PACKAGES = "Keep what belongs to a package in its folder, and name it by $(find PACKAGE)/...."
+
+
+class Budget:
+    """Counts what an evaluation has used; each method raises `LaunchRefused` if that is too much."""
+
+    def __init__(self) -> None:
+        self._used: Counter[str] = Counter()
+
+    def tag(self, count: int = 1) -> None:
+        """One more tag, or so many."""
+        self._use("tags", count)
+
+    def launch_file(self, size: int) -> None:
+        """One more launch file, of so many bytes."""
+        self._use("bytes", size)
+        self._use("files", 1)
+
+    def string(self, length: int) -> None:
+        """A value of so many characters."""
+        if length > MAX_STRING:
+            raise ours(
+                TOO_MUCH,
+                f"a value of {length} characters is longer than the {MAX_STRING} that are allowed",
+                "Put long texts into a file, and use textfile=.",
+            )
+        self.total(length)
+
+    def yaml(self, length: int) -> None:
+        """A YAML text of so many characters."""
+        self._use("yaml", length)
+
+    def total(self, amount: int) -> None:
+        """So many characters or bytes were read or made."""
+        self._use("all", amount)
+
+    def _use(self, kind: str, amount: int) -> None:
+        self._used[kind] += amount
+        most, what, remedy = _LIMITS[kind]
+        if self._used[kind] > most:
+            raise ours(TOO_MUCH, what.format(most), remedy)
 
 
 class Files:

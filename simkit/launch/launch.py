@@ -12,11 +12,10 @@ from simkit.errors import SimkitError, UnknownNameError
 from simkit.graph import Graph
 from simkit.graph.executor import nanoseconds
 from simkit.graph.process import Permissions, ScriptNode
-from simkit.launch.listings import summary_of, warning_lines
-from simkit.launch.parameters import apply_parameters
+from simkit.launch.parameters import apply_parameters, description_lines
 from simkit.launch.plan import TEXT_NAME, LaunchPlan, PlannedNode
 from simkit.launch.process import NodeHandle, Process, arguments_of
-from simkit.launch.robot_checks import description_lines
+from simkit.launch.summary import summary_of, warning_lines
 from simkit.nodes import builtin_nodes
 
 RESTART_SECONDS = 0.1

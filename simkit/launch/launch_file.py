@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from simkit.launch.refusal import Kind, LaunchPlace, LaunchRefused, Lesson
+from simkit.launch.errors import Kind, LaunchPlace, LaunchRefused, Lesson
 from simkit.launch.rules import SYNTAX
 from simkit.xml import Document, Element, Fault, FaultKind, Span, parse_xml
 from simkit.xml.parser import words_of_expat

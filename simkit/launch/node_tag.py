@@ -8,13 +8,13 @@ from typing import Any, Literal, cast
 
 from simkit.errors import near_names
 from simkit.graph.names import is_legal_name
+from simkit.launch.errors import Kind, LaunchRefused
 from simkit.launch.parameter_tags import take_param, take_rosparam
 from simkit.launch.plan import PlannedNode
-from simkit.launch.refusal import Kind, LaunchRefused, Lesson
 from simkit.launch.rules import ATTRIBUTE, NO_EFFECT, UNKNOWN
-from simkit.launch.scope import Scope, as_namespace, joined
+from simkit.launch.scope import Scope, as_namespace, name_in
 from simkit.launch.small_tags import read_remapping, take_environment
-from simkit.launch.tag import LaunchTag, namespace_of
+from simkit.launch.tag import LaunchTag
 from simkit.launch.values import seconds
 
 _ATTRIBUTES = (
@@ -55,22 +55,14 @@ def take_node(tag: LaunchTag, scope: Scope) -> None:
     """
     if not tag.applies(scope):
         return
-    try:
+    is_invalid = "Invalid <node> tag: {text}. \n\nNode xml is {xml}"
+    is_missing = f"<{tag.name}> tag is missing required attribute: {{text}}. Node xml is {{xml}}"
+    words = {Kind.KEY: is_missing, Kind.SYNTAX: is_invalid, Kind.VALUE: is_invalid}
+    with tag.worded(words):
         node = _node(tag, scope)
-    except LaunchRefused as refused:
-        refused.at(tag.place)
-        if refused.kind is Kind.KEY:
-            words = f"<{tag.name}> tag is missing required attribute: {refused.text}. Node xml is"
-        elif refused.kind in (Kind.SYNTAX, Kind.VALUE):
-            words = f"Invalid <node> tag: {refused.text}. \n\nNode xml is"
-        else:
-            raise
-        raise refused.worded(Kind.SYNTAX, f"{words} {tag.xml}") from None
     if tag.name == "node":
-        try:
+        with tag.about("name"):
             tag.state.add_node(node)
-        except LaunchRefused as refused:
-            raise refused.at(tag.place_of("name")) from None
 
 
 def _node(tag: LaunchTag, scope: Scope) -> PlannedNode:
@@ -132,16 +124,16 @@ def _check_name(tag: LaunchTag, name: str) -> None:
     )
     what = f"{name!r} is no name for a node"
     remedy = "Use letters, digits and _ only, a letter first."
-    tag.state.teach(Lesson(rule=ATTRIBUTE, what=what, remedy=remedy), tag.place_of("name"))
+    tag.teach(ATTRIBUTE, what, remedy, at="name")
 
 
 def _where(tag: LaunchTag, scope: Scope, name: str) -> _Where:
-    inner = scope.child(namespace_of(tag, scope))
+    inner = scope.child(tag.namespace(scope))
     if tag.flag("clear_params", tag.get("clear_params", scope) or None):
         if not name:
             words = f"<{tag.name}> tag must have a 'name' attribute to use 'clear_params' attribute"
             raise tag.refuse(words, "clear_params= needs a name", 'Write name="...".')
-        tag.state.clear_params.append(as_namespace(joined(inner.namespace, name)))
+        tag.state.clear_params.append(as_namespace(name_in(inner.namespace, name)))
     own = inner.child(name)
     own.parameters = []
     return _Where(name=name, inner=inner, own=own)
@@ -179,7 +171,7 @@ def _unknown_child(tag: LaunchTag, child: LaunchTag) -> None:
     near = near_names(child.name, _CHILDREN)
     remedy = f"Did you mean <{near[0]}>?" if near else "A node has param, rosparam, remap and env."
     what = f"<{child.name}> cannot stand in a <{tag.name}>: it is ignored"
-    tag.state.teach(Lesson(rule=UNKNOWN, what=what, remedy=remedy), child.place)
+    child.teach(UNKNOWN, what, remedy)
 
 
 def _want_machine(tag: LaunchTag, name: str | None) -> None:
@@ -221,10 +213,8 @@ def _check_options(
         raise _wrong(tag, words, "cwd", "Leave it out: a script runs in its own folder.")
     if options["launch-prefix"]:
         what = "launch-prefix= is ignored: no program is run in front of a node here"
-        lesson = Lesson(rule=NO_EFFECT, what=what, remedy="Remove it here.")
-        tag.state.teach(lesson, tag.place_of("launch-prefix"))
+        tag.teach(NO_EFFECT, what, "Remove it here.", at="launch-prefix")
 
 
 def _wrong(tag: LaunchTag, words: str, attribute: str, remedy: str) -> LaunchRefused:
-    lesson = Lesson(rule=ATTRIBUTE, what=words, remedy=remedy)
-    return LaunchRefused(Kind.VALUE, words, lesson, place=tag.place_of(attribute))
+    return tag.refuse(words, words, remedy, at=attribute, kind=Kind.VALUE)

@@ -9,10 +9,10 @@ from typing import Any
 from simkit.errors import near_names
 from simkit.graph.names import is_legal_name
 from simkit.launch.command import output_of
+from simkit.launch.errors import Elsewhere, Kind, LaunchRefused, Lesson, ours
 from simkit.launch.plan import ParameterStep
-from simkit.launch.refusal import Elsewhere, Kind, LaunchRefused, Lesson, ours
 from simkit.launch.rules import ATTRIBUTE, FILE, YAML
-from simkit.launch.scope import PrivateParameter, Scope, joined, tidy
+from simkit.launch.scope import PrivateParameter, Scope, name_in, tidy
 from simkit.launch.tag import LaunchTag
 from simkit.launch.values import TYPES, convert, load_yaml
 from simkit.xml import Span
@@ -43,17 +43,12 @@ def take_param(tag: LaunchTag, scope: Scope, *, in_node: bool = False) -> None:
     """
     if not tag.applies(scope):
         return
-    try:
+    words = {
+        Kind.KEY: "<param> tag is missing required attribute: {text}. \n\nParam xml is {xml}",
+        Kind.VALUE: "Invalid <param> tag: {text}. \n\nParam xml is {xml}",
+    }
+    with tag.worded(words):
         _add(tag, scope, in_node=in_node)
-    except LaunchRefused as refused:
-        refused.at(tag.place)
-        if refused.kind is Kind.KEY:
-            words = f"<param> tag is missing required attribute: {refused.text}. \n\nParam xml is"
-        elif refused.kind is Kind.VALUE:
-            words = f"Invalid <param> tag: {refused.text}. \n\nParam xml is"
-        else:
-            raise
-        raise refused.worded(Kind.SYNTAX, f"{words} {tag.xml}") from None
 
 
 def _add(tag: LaunchTag, scope: Scope, *, in_node: bool) -> None:
@@ -68,15 +63,13 @@ def _add(tag: LaunchTag, scope: Scope, *, in_node: bool) -> None:
         )
     name = tag.required("name", scope).strip()
     ((source, text),) = sources.items()
-    try:
+    with tag.about(source if type_name in TYPES else "type"):
         found = _value(tag, name, type_name, source, text)
-    except LaunchRefused as refused:
-        raise refused.at(tag.place_of(source if type_name in TYPES else "type")) from None
     _check_name(tag, name)
     if in_node or name.startswith("~"):
         scope.add_parameter(PrivateParameter(name, found.value, (tag.place, found.source)))
     else:
-        full = joined(scope.namespace, name)
+        full = name_in(scope.namespace, name)
         tag.state.add_param(full, found.value, tag.place, found.source)
 
 
@@ -97,7 +90,7 @@ def _check_name(tag: LaunchTag, name: str) -> None:
         return
     what = f"{name!r} is no legal name of a parameter: rosparam does not read it"
     remedy = "Use letters, digits, _ and / only, a letter first."
-    tag.state.teach(Lesson(rule=ATTRIBUTE, what=what, remedy=remedy), tag.place_of("name"))
+    tag.teach(ATTRIBUTE, what, remedy, at="name")
 
 
 def _value(tag: LaunchTag, name: str, type_name: str, source: str, text: str) -> _Found:
@@ -123,14 +116,9 @@ def take_rosparam(tag: LaunchTag, scope: Scope) -> None:
     """
     if not tag.applies(scope):
         return
-    try:
+    words = {Kind.VALUE: "error loading <rosparam> tag: \n\t{text}\nXML is {xml}"}
+    with tag.worded(words, Kind.LOAD):
         _take(tag, scope)
-    except LaunchRefused as refused:
-        refused.at(tag.place)
-        if refused.kind is not Kind.VALUE:
-            raise
-        words = f"error loading <rosparam> tag: \n\t{refused.text}\nXML is {tag.xml}"
-        raise refused.worded(Kind.LOAD, words) from None
 
 
 def _take(tag: LaunchTag, scope: Scope) -> None:
@@ -138,8 +126,8 @@ def _take(tag: LaunchTag, scope: Scope) -> None:
     command, namespace, file, name, replaced = (tag.get(key, scope) for key in _ROSPARAM_ATTRIBUTES)
     replace = tag.flag("subst_value", replaced)
     command = command or "load"
-    name = joined(namespace or "", name or "")
-    full = joined(scope.namespace, name) if name else scope.namespace
+    name = name_in(namespace or "", name or "")
+    full = name_in(scope.namespace, name) if name else scope.namespace
     if command == "load":
         _load(tag, scope, file, full, named=bool(name), replace=replace)
     elif command == "dump":
@@ -190,13 +178,11 @@ def _no_mapping(value: object) -> Lesson:
 
 def _text_of(tag: LaunchTag, file: str) -> str:
     files = tag.state.files
-    try:
+    with tag.about("file"):
         if files.may_read(file) and not Path(file).is_file():
             lesson = files.missing(file)
             raise LaunchRefused(Kind.VALUE, f"file does not exist [{file}]", lesson)
         return files.read_text(file)
-    except LaunchRefused as refused:
-        raise refused.at(tag.place_of("file")) from None
 
 
 def _replaced(tag: LaunchTag, scope: Scope, file: str | None, text: str) -> str:
@@ -233,10 +219,7 @@ def _with_place(
         before = text[: len(text) - len(text.lstrip())]
         first = begin.line - before.count("\n")
         offset = begin.column - 1 - len(before) if line == 1 else 0
-        place = tag.place
-        refused.at(
-            type(place)(launch_file=tag.launch_file, span=Span(first + line - 1, column + offset))
-        )
+        refused.at(tag.place_of(Span(first + line - 1, column + offset)))
     return refused
 
 

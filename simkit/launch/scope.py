@@ -10,12 +10,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from simkit.graph.names import is_legal_name
+from simkit.launch.errors import Kind, LaunchRefused, Lesson
 from simkit.launch.launch_file import LaunchFile
-from simkit.launch.refusal import Kind, LaunchRefused, Lesson
 from simkit.launch.rules import ARGUMENT, ATTRIBUTE
 
 
-def joined(namespace: str, name: str) -> str:
+def name_in(namespace: str, name: str) -> str:
     """A name inside of a namespace, unless it is global or private."""
     if name[:1] in ("/", "~"):
         return name
@@ -84,7 +84,7 @@ class Scope:
             what = "a namespace cannot be private"
             lesson = Lesson(rule=ATTRIBUTE, what=what, remedy="Write a name for ns=.")
             raise LaunchRefused(Kind.VALUE, "cannot turn [~] into a global name", lesson)
-        inner = as_namespace(joined(self.namespace, namespace)) if namespace else self.namespace
+        inner = as_namespace(name_in(self.namespace, namespace)) if namespace else self.namespace
         return Scope(self.launch_file, inner, self)
 
     def for_include(self, namespace: str | None) -> Scope:

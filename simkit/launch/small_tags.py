@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from simkit.launch.errors import Kind
 from simkit.launch.plan import ArgumentDoc
-from simkit.launch.refusal import Kind, LaunchRefused, Lesson
 from simkit.launch.rules import NO_EFFECT
 from simkit.launch.scope import Scope
 from simkit.launch.tag import LaunchTag
@@ -20,6 +20,12 @@ _MACHINE = (
 )
 
 
+_OF_ARGUMENTS = {
+    **dict.fromkeys(set(Kind) - {Kind.OURS}, "Invalid <arg> tag: {text}. \n\nArg xml is {xml}"),
+    Kind.ARGUMENT: "arg '{text}' is not defined. \n\nArg xml is {xml}",
+}
+
+
 def take_argument(tag: LaunchTag, scope: Scope) -> None:
     """`<arg name default|value doc>`: declare an argument.
 
@@ -28,7 +34,7 @@ def take_argument(tag: LaunchTag, scope: Scope) -> None:
     """
     if not tag.applies(scope):
         return
-    try:
+    with tag.worded(_OF_ARGUMENTS):
         tag.check_attributes(("name", "value", "default", "doc"))
         name = tag.required("name", scope)
         value, default, doc = (tag.get(key, scope) for key in ("value", "default", "doc"))
@@ -42,14 +48,6 @@ def take_argument(tag: LaunchTag, scope: Scope) -> None:
         scope.declare(name, value=value, default=default)
         if scope.parent is None and value is None:
             tag.state.arguments.append(ArgumentDoc(name=name, default=default, doc=doc))
-    except LaunchRefused as refused:
-        refused.at(tag.place)
-        if refused.kind is Kind.OURS:
-            raise
-        words = f"Invalid <arg> tag: {refused.text}. \n\nArg xml is {tag.xml}"
-        if refused.kind is Kind.ARGUMENT:
-            words = f"arg '{refused.text}' is not defined. \n\nArg xml is {tag.xml}"
-        raise refused.worded(Kind.SYNTAX, words) from None
 
 
 def read_remapping(tag: LaunchTag, scope: Scope) -> tuple[str, str] | None:
@@ -61,13 +59,8 @@ def read_remapping(tag: LaunchTag, scope: Scope) -> tuple[str, str] | None:
     if not tag.applies(scope):
         return None
     tag.check_attributes(("from", "to"))
-    try:
+    with tag.worded({Kind.KEY: "<remap> tag is missing required from/to attributes: {xml}"}):
         return tag.required("from", scope), tag.required("to", scope)
-    except LaunchRefused as refused:
-        if refused.kind is not Kind.KEY:
-            raise
-        words = f"<remap> tag is missing required from/to attributes: {tag.xml}"
-        raise refused.worded(Kind.SYNTAX, words) from None
 
 
 def take_remapping(tag: LaunchTag, scope: Scope) -> None:
@@ -76,15 +69,11 @@ def take_remapping(tag: LaunchTag, scope: Scope) -> None:
     Raises:
         LaunchRefused: It makes no sense.
     """
-    try:
+    words = "Invalid <remap> tag: {text}.\nXML is {xml}"
+    with tag.worded({Kind.SYNTAX: words, Kind.LOAD: words}):
         pair = read_remapping(tag, scope)
         if pair is not None:
             scope.add_remapping(*pair)
-    except LaunchRefused as refused:
-        if refused.kind not in (Kind.SYNTAX, Kind.LOAD):
-            raise
-        words = f"Invalid <remap> tag: {refused.text}.\nXML is {tag.xml}"
-        raise refused.at(tag.place).worded(Kind.SYNTAX, words) from None
 
 
 def take_environment(tag: LaunchTag, scope: Scope) -> None:
@@ -96,18 +85,14 @@ def take_environment(tag: LaunchTag, scope: Scope) -> None:
     if not tag.applies(scope):
         return
     tag.check_attributes(("name", "value"))
-    try:
+    with tag.worded({Kind.KEY: "<env> tag is missing required name/value attributes: {xml}"}):
         name, value = tag.required("name", scope), tag.required("value", scope)
-    except LaunchRefused as refused:
-        if refused.kind is not Kind.KEY:
-            raise
-        words = f"<env> tag is missing required name/value attributes: {tag.xml}"
-        raise refused.worded(Kind.SYNTAX, words) from None
     if not name:
         words = f"Invalid <env> tag: 'name' attribute must be non-empty. \nXML is {tag.xml}"
         raise tag.refuse(words, "name= is empty", "Write the variable's name.", at="name")
     scope.environment.append((name, value))
-    _no_effect(tag, f"the environment variable {name} does not reach nodes here", "Use a <param>.")
+    what = f"the environment variable {name} does not reach nodes here"
+    tag.teach(NO_EFFECT, what, "Use a <param>.")
 
 
 def take_machine(tag: LaunchTag, scope: Scope) -> None:
@@ -119,16 +104,8 @@ def take_machine(tag: LaunchTag, scope: Scope) -> None:
     if not tag.applies(scope):
         return
     tag.check_attributes(_MACHINE)
-    try:
+    with tag.worded({Kind.KEY: "<machine> tag is missing required attribute: {text}"}):
         tag.state.machines.append(tag.required("name", scope))
         tag.required("address", scope)
-    except LaunchRefused as refused:
-        if refused.kind is not Kind.KEY:
-            raise
-        words = f"<machine> tag is missing required attribute: {refused.text}"
-        raise refused.worded(Kind.SYNTAX, words) from None
-    _no_effect(tag, "<machine> is ignored: all nodes run in this simulation", "Remove it here.")
-
-
-def _no_effect(tag: LaunchTag, what: str, remedy: str) -> None:
-    tag.state.teach(Lesson(rule=NO_EFFECT, what=what, remedy=remedy), tag.place)
+    what = "<machine> is ignored: all nodes run in this simulation"
+    tag.teach(NO_EFFECT, what, "Remove it here.")

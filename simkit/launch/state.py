@@ -8,13 +8,11 @@ from typing import Any
 
 from simkit.diagnostics import Diagnostic, Severity
 from simkit.graph.sendable import why_unsendable
-from simkit.launch.budget import Budget
-from simkit.launch.errors import diagnostic_of
-from simkit.launch.files import Files
+from simkit.launch.errors import Kind, LaunchPlace, LaunchRefused, Lesson, diagnostic_of, ours
+from simkit.launch.files import Budget, Files
 from simkit.launch.plan import ArgumentDoc, Origin, ParameterStep, PlannedNode
-from simkit.launch.refusal import Kind, LaunchPlace, LaunchRefused, Lesson, ours
 from simkit.launch.rules import ATTRIBUTE, YAML
-from simkit.launch.scope import joined, tidy
+from simkit.launch.scope import name_in, tidy
 from simkit.launch.substitution import Substitution
 
 MAX_WARNINGS = 200
@@ -80,7 +78,7 @@ class LaunchState:
             if not isinstance(key, str) or not key:
                 raise _bad_key(key)
             inner = key[1:] if key[0] == "~" else key
-            self.add_tree(joined(name, inner), part, place, source)
+            self.add_tree(name_in(name, inner), part, place, source)
 
     def add_node(self, node: PlannedNode) -> None:
         """Add a node.

@@ -14,10 +14,9 @@ from pathlib import Path
 from typing import Any
 
 from simkit.errors import near_names
-from simkit.launch.budget import Budget
+from simkit.launch.errors import Kind, LaunchRefused, Lesson
 from simkit.launch.expression import evaluate_expression
-from simkit.launch.files import Files
-from simkit.launch.refusal import Kind, LaunchRefused, Lesson
+from simkit.launch.files import Budget, Files
 from simkit.launch.rules import SUBSTITUTION
 from simkit.launch.scope import Scope
 from simkit.launch.values import convert

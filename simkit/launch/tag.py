@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 
 from simkit.errors import near_names
+from simkit.launch.errors import Kind, LaunchPlace, LaunchRefused, Lesson
 from simkit.launch.launch_file import LaunchFile
-from simkit.launch.refusal import Kind, LaunchPlace, LaunchRefused, Lesson
 from simkit.launch.rules import ATTRIBUTE, UNKNOWN
 from simkit.launch.scope import Scope
 from simkit.launch.state import LaunchState
 from simkit.launch.values import flag, truth
-from simkit.xml import Element
+from simkit.xml import Element, Span
 
 _OF_ROS_2 = {"type": ("exec", "executable"), "ns": ("namespace",)}
 """What the launch files of ROS 2 call an attribute."""
@@ -83,9 +83,10 @@ class LaunchTag:
             raise LaunchRefused(Kind.KEY, f"'{attribute}'", lesson, place=self.place)
         return value
 
-    def place_of(self, attribute: str) -> LaunchPlace:
-        """Where the value of an attribute stands; the tag itself if it has none."""
-        return LaunchPlace(launch_file=self.launch_file, span=self.element.span_of(attribute))
+    def place_of(self, what: str | Span) -> LaunchPlace:
+        """Where the value of an attribute stands, or the tag itself if it has none; or a place in its file."""
+        span = self.element.span_of(what) if isinstance(what, str) else what
+        return LaunchPlace(launch_file=self.launch_file, span=span)
 
     @contextlib.contextmanager
     def about(self, attribute: str) -> Iterator[None]:
@@ -132,31 +133,68 @@ class LaunchTag:
             near = near_names(attribute.name, known)
             remedy = f"Did you mean {near[0]}?" if near else "It has: " + ", ".join(known) + "."
             what = f"<{self.name}> has no attribute {attribute.name!r}: it is ignored"
-            place = LaunchPlace(launch_file=self.launch_file, span=attribute.name_span)
-            self.state.teach(Lesson(rule=UNKNOWN, what=what, remedy=remedy), place)
+            self.teach(UNKNOWN, what, remedy, at=attribute.name_span)
 
-    def refuse(self, words: str, what: str, remedy: str, *, at: str | None = None) -> LaunchRefused:
-        """A fault of this tag, of kind SYNTAX.
+    def teach(self, rule: str, what: str, remedy: str, *, at: str | Span | None = None) -> None:
+        """Keep what a teacher says about this tag, which works.
+
+        Args:
+            rule: Id of the rule.
+            what: What is odd.
+            remedy: What would be right.
+            at: The attribute that it is about, or a place; None for the tag.
+        """
+        place = self.place if at is None else self.place_of(at)
+        self.state.teach(Lesson(rule=rule, what=what, remedy=remedy), place)
+
+    def refuse(
+        self,
+        words: str,
+        what: str,
+        remedy: str,
+        *,
+        at: str | None = None,
+        kind: Kind = Kind.SYNTAX,
+    ) -> LaunchRefused:
+        """A fault of this tag.
 
         Args:
             words: What roslaunch says.
             what: What is wrong.
             remedy: What would be right.
             at: The attribute that it is about; None for the tag.
+            kind: How handlers treat it.
         """
         place = self.place if at is None else self.place_of(at)
         lesson = Lesson(rule=ATTRIBUTE, what=what, remedy=remedy)
-        return LaunchRefused(Kind.SYNTAX, words, lesson, place=place)
+        return LaunchRefused(kind, words, lesson, place=place)
 
+    @contextlib.contextmanager
+    def worded(self, words: Mapping[Kind, str], kind: Kind = Kind.SYNTAX) -> Iterator[None]:
+        """A fault in the body becomes one of this tag, in roslaunch's words.
 
-def namespace_of(tag: LaunchTag, scope: Scope) -> str | None:
-    """The value of `ns`, or None.
+        Args:
+            words: For the kinds of faults that roslaunch's handler catches; in them `{text}` is what the fault says,
+                `{xml}` this tag.
+            kind: What the fault is then.
+        """
+        try:
+            yield
+        except LaunchRefused as refused:
+            refused.at(self.place)
+            if refused.kind not in words:
+                raise
+            text = words[refused.kind].format(text=refused.text, xml=self.xml)
+            raise refused.worded(kind, text) from None
 
-    Raises:
-        LaunchRefused: It is empty.
-    """
-    namespace = tag.get("ns", scope)
-    if namespace == "":
-        words = f"<{tag.name}> tag has an empty 'ns' attribute"
-        raise tag.refuse(words, "ns= is empty", 'Write a name, e.g. ns="robot1".', at="ns")
-    return namespace
+    def namespace(self, scope: Scope) -> str | None:
+        """The value of `ns`, or None.
+
+        Raises:
+            LaunchRefused: It is empty.
+        """
+        namespace = self.get("ns", scope)
+        if namespace == "":
+            words = f"<{self.name}> tag has an empty 'ns' attribute"
+            raise self.refuse(words, "ns= is empty", 'Write a name, e.g. ns="robot1".', at="ns")
+        return namespace

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from simkit.errors import near_names
-from simkit.launch.refusal import Kind, LaunchRefused, Lesson
+from simkit.launch.errors import Kind, LaunchRefused, Lesson
 from simkit.launch.rules import ATTRIBUTE, YAML
 
 if TYPE_CHECKING:

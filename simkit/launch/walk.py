@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from simkit.errors import near_names
-from simkit.launch.budget import MAX_GROUP_DEPTH, MAX_INCLUDE_DEPTH, MAX_LAUNCH_BYTES
+from simkit.launch.errors import Kind, LaunchRefused, Lesson, ours
+from simkit.launch.files import MAX_GROUP_DEPTH, MAX_INCLUDE_DEPTH, MAX_LAUNCH_BYTES
 from simkit.launch.launch_file import LaunchFile, read_launch_file
 from simkit.launch.node_tag import take_node
 from simkit.launch.parameter_tags import take_param, take_rosparam
-from simkit.launch.refusal import Kind, LaunchPlace, LaunchRefused, Lesson, ours
 from simkit.launch.rules import ARGUMENT, STRAY_TEXT, TOO_MUCH, UNKNOWN
 from simkit.launch.scope import Scope
 from simkit.launch.small_tags import (
@@ -19,7 +19,7 @@ from simkit.launch.small_tags import (
     take_remapping,
 )
 from simkit.launch.state import LaunchState
-from simkit.launch.tag import LaunchTag, namespace_of
+from simkit.launch.tag import LaunchTag
 from simkit.xml import Element
 
 
@@ -123,24 +123,18 @@ def _take_include(tag: LaunchTag, scope: Scope) -> None:
             take_argument(child, inner)
         else:
             _unknown_in_include(tag, child)
-    try:
+    shown = name.replace("{", "{{").replace("}", "}}")
+    words = {
+        Kind.ARGUMENT: f"included file [{shown}] requires the '{{text}}' arg to be set",
+        Kind.SYNTAX: f"while processing {shown}:\n{{text}}",
+    }
+    with tag.worded(words):
         _enter(tag, name, inner, passes_all=passes_all)
-    except LaunchRefused as refused:
-        refused.at(tag.place)
-        if refused.kind is Kind.ARGUMENT:
-            words = f"included file [{name}] requires the '{refused.text}' arg to be set"
-        elif refused.kind is Kind.SYNTAX:
-            words = f"while processing {name}:\n{refused.text}"
-        else:
-            raise
-        raise refused.worded(Kind.SYNTAX, words) from None
 
 
 def _enter(tag: LaunchTag, name: str, inner: Scope, *, passes_all: bool) -> None:
-    try:
+    with tag.about("file"):
         launch_file, root = open_launch_file(name, tag.state, tag)
-    except LaunchRefused as refused:
-        raise refused.at(tag.place_of("file")) from None
     given = inner.enter(launch_file)
     walk(root, launch_file, inner, tag.state)
     unused = [argument for argument in given if argument not in inner.declared]
@@ -151,7 +145,7 @@ def _enter(tag: LaunchTag, name: str, inner: Scope, *, passes_all: bool) -> None
 
 def _cleared_namespace(tag: LaunchTag, scope: Scope) -> str | None:
     """The namespace of a group or include; noted if its parameters are to be cleared."""
-    namespace = namespace_of(tag, scope)
+    namespace = tag.namespace(scope)
     if tag.flag("clear_params", tag.get("clear_params", scope) or None):
         if not namespace:
             words = "'ns' attribute must be set in order to use 'clear_params'"
@@ -186,8 +180,7 @@ def _unknown_in_include(tag: LaunchTag, child: LaunchTag) -> None:
     words = f"WARN: unrecognized '{child.name}' tag in <{tag.name}> tag"
     tag.state.warn(words, plain=True)
     what = f"<{child.name}> cannot stand in an <include>: it is ignored"
-    lesson = Lesson(rule=UNKNOWN, what=what, remedy="Only <arg> and <env> can.")
-    tag.state.teach(lesson, child.place)
+    child.teach(UNKNOWN, what, "Only <arg> and <env> can.")
 
 
 def _note_stray_text(tag: LaunchTag) -> None:
@@ -198,8 +191,7 @@ def _note_stray_text(tag: LaunchTag) -> None:
     shown = text.split("\n")[0][:40]
     what = f"the text {shown!r} in <{tag.name}> is read by nobody"
     remedy = "Remove it, or make a comment of it: <!-- ... -->."
-    lesson = Lesson(rule=STRAY_TEXT, what=what, remedy=remedy)
-    tag.state.teach(lesson, LaunchPlace(launch_file=tag.launch_file, span=span))
+    tag.teach(STRAY_TEXT, what, remedy, at=span)
 
 
 def _unknown_tag(tag: LaunchTag) -> None:
@@ -208,7 +200,7 @@ def _unknown_tag(tag: LaunchTag) -> None:
     near = near_names(tag.name, known)
     remedy = f"Did you mean <{near[0]}>?" if near else f"There are: {', '.join(known)}."
     what = f"there is no tag <{tag.name}>: it is ignored, with all that is in it"
-    tag.state.teach(Lesson(rule=UNKNOWN, what=what, remedy=remedy), tag.place)
+    tag.teach(UNKNOWN, what, remedy)
 
 
 _HANDLERS: dict[str, Callable[[LaunchTag, Scope], None]] = {

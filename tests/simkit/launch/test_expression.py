@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from simkit.launch.errors import Kind, LaunchRefused
 from simkit.launch.expression import evaluate_expression
-from simkit.launch.refusal import Kind, LaunchRefused
 
 ARGUMENTS = {"x": 3, "name": "robot", "flag": True, "speed": 0.5}
 FUNCTIONS = {"arg": lambda name: ARGUMENTS[name], "find": lambda package: f"/ws/{package}"}

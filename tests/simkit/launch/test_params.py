@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from simkit.launch.refusal import LaunchRefused
+from simkit.launch.errors import LaunchRefused
 from simkit.launch.values import convert
 
 NODE = '<node name="t" pkg="p" type="x">{}</node>'

@@ -4,7 +4,7 @@ import pytest
 
 from simkit.errors import SimkitError
 from simkit.launch import summary_of
-from simkit.launch.listings import (
+from simkit.launch.summary import (
     arguments_text,
     command_of_node_text,
     file_of_node_text,
