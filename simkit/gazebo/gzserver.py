@@ -12,7 +12,7 @@ from simkit.diagnostics import Severity
 from simkit.gazebo.server import Gazebo
 from simkit.gazebo.services import offer_services
 from simkit.gazebo.topics import publish_states
-from simkit.gazebo.watching import watch
+from simkit.gazebo.watchers import watch
 from simkit.gazebo.worlds import find_world
 from simkit.graph import Node
 from simkit.nodes.program import Program

@@ -13,7 +13,7 @@ import dataclasses
 import enum
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 SILENT = ("robotNamespace", "alwaysOn", "rosDebugLevel")
 """Tags that any plugin may have, whether it reads them or not."""
@@ -95,6 +95,11 @@ def tags_of(parameters: type[Any]) -> dict[str, TagField]:
 class DiffDriveParameters:
     """What the tag of `libgazebo_ros_diff_drive.so` says, in the order in which what is missing is reported."""
 
+    SIDES: ClassVar[tuple[tuple[str, ...], ...]] = (("left_joint",), ("right_joint",))
+    """Fields with the joints of the wheels on the left, and on the right."""
+    TORQUE: ClassVar[str] = "wheel_torque"
+    """Field of the torque."""
+
     command_topic: str = tag("commandTopic", "cmd_vel", "Topic of the commands.")
     odometry_topic: str = tag("odometryTopic", "odom", "Topic of the odometry.")
     odometry_frame: str = tag("odometryFrame", "odom", "Frame that odometry is measured in.")
@@ -134,6 +139,14 @@ class DiffDriveParameters:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SkidSteerDriveParameters:
     """What the tag of `libgazebo_ros_skid_steer_drive.so` says, in the order in which what is missing is reported."""
+
+    SIDES: ClassVar[tuple[tuple[str, ...], ...]] = (
+        ("left_front_joint", "left_rear_joint"),
+        ("right_front_joint", "right_rear_joint"),
+    )
+    """As those of DiffDriveParameters."""
+    TORQUE: ClassVar[str] = "torque"
+    """Likewise."""
 
     broadcast_tf: bool = tag("broadcastTF", False, "Whether the robot is on /tf.")
     left_front_joint: str = tag(

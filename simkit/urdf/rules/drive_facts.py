@@ -6,8 +6,12 @@ import math
 from dataclasses import dataclass
 
 from simkit.geometry import Transform, Vector
-from simkit.plugins.registry import plugins
-from simkit.plugins.tags import tags_of
+from simkit.plugins.tags import (
+    DiffDriveParameters,
+    SkidSteerDriveParameters,
+    TagField,
+    tags_of,
+)
 from simkit.urdf.rules.bodies import Standing, standing_shapes, zero_pose
 from simkit.urdf.rules.entries import JointEntry, PluginElement
 from simkit.urdf.rules.sheet import Sheet
@@ -16,12 +20,9 @@ from simkit.urdf.rules.wording import read_number
 from simkit.urdf.wheel import round_part
 from simkit.xml import Element
 
-_SIDES = {
-    "libgazebo_ros_diff_drive.so": (("leftJoint",), ("rightJoint",)),
-    "libgazebo_ros_skid_steer_drive.so": (
-        ("leftFrontJoint", "leftRearJoint"),
-        ("rightFrontJoint", "rightRearJoint"),
-    ),
+_DRIVES: dict[str, type[DiffDriveParameters | SkidSteerDriveParameters]] = {
+    "libgazebo_ros_diff_drive.so": DiffDriveParameters,
+    "libgazebo_ros_skid_steer_drive.so": SkidSteerDriveParameters,
 }
 
 
@@ -60,8 +61,7 @@ class Drive:
 
     def number(self, name: str) -> float | None:
         """A parameter, or its default; None if it is not read or is no number."""
-        tags = tags_of(plugins()[self.plugin.filename or ""].parameters).values()
-        tag = next((one for one in tags if one.name == name), None)
+        tag = next((one for one in self._tags.values() if one.name == name), None)
         element = self.plugin.parameter(name)
         if element is not None and tag is not None:
             return read_number(element.text)
@@ -74,21 +74,27 @@ class Drive:
     @property
     def torque_name(self) -> str:
         """What this plugin calls its torque."""
-        return "torque" if "skid" in (self.plugin.filename or "") else "wheelTorque"
+        return self._tags[_DRIVES[self.plugin.filename or ""].TORQUE].name
+
+    @property
+    def _tags(self) -> dict[str, TagField]:
+        return tags_of(_DRIVES[self.plugin.filename or ""])
 
 
 def drives(sheet: Sheet) -> list[Drive]:
     """The drive plugins of a robot whose wheels can be found."""
     found = []
-    plugins = [plugin for plugin in sheet.plugins if plugin.filename in _SIDES]
+    plugins = [plugin for plugin in sheet.plugins if plugin.filename in _DRIVES]
     if not plugins or not is_whole(sheet):
         return []
     standing = zero_pose(sheet)
     for plugin in plugins[:20]:
         base = _base(sheet, plugin, standing)
+        kind = _DRIVES[plugin.filename or ""]
+        tags = tags_of(kind)
         sides = [
-            tuple(_wheel(sheet, plugin, name, standing, base) for name in side)
-            for side in _SIDES[plugin.filename or ""]
+            tuple(_wheel(sheet, plugin, tags[field].name, standing, base) for field in side)
+            for side in kind.SIDES
         ]
         left, right = (tuple(wheel for wheel in side if wheel is not None) for side in sides)
         if base is not None and all(None not in side for side in sides):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from simkit.gazebo.watching.motion import drive_of
+from simkit.gazebo.watchers.motion import drive_of
 from tests.simkit.plugins.samples import PENDULUM, ROVER
 
 

@@ -5,37 +5,24 @@ from __future__ import annotations
 from simkit.diagnostics import Severity
 from simkit.gazebo.models import Spawned
 from simkit.gazebo.server import Gazebo
-from simkit.gazebo.watching.drive_watchers import (
-    Drifting,
-    Slipping,
-    WheelsInAir,
-    WrongSize,
-    WrongWay,
-)
-from simkit.gazebo.watching.motion import LOOK_S
-from simkit.gazebo.watching.robot_watchers import (
-    BlindLaser,
-    NoStates,
-    StartHeight,
-    TwoPublishers,
-    WeakJoints,
-)
-from simkit.gazebo.watching.watcher import Observation, WatchedModel, Watcher
+from simkit.gazebo.watchers import drive_watchers, robot_watchers
+from simkit.gazebo.watchers.motion import LOOK_S
+from simkit.gazebo.watchers.scene import Hint, Looks, WatchedModel, Watcher
 from simkit.graph.node import Timer
 from simkit.msgs import Duration
 from simkit.urdf.rules import check_robot
 
-WATCHERS: tuple[type[Watcher], ...] = (
-    StartHeight,
-    WheelsInAir,
-    WrongWay,
-    WrongSize,
-    WeakJoints,
-    Slipping,
-    Drifting,
-    TwoPublishers,
-    NoStates,
-    BlindLaser,
+WATCHERS: tuple[Watcher, ...] = (
+    robot_watchers.start_height,
+    drive_watchers.wheels_in_air,
+    drive_watchers.wrong_way,
+    drive_watchers.wrong_size,
+    robot_watchers.weak_joints,
+    drive_watchers.slipping,
+    drive_watchers.drifting,
+    robot_watchers.two_publishers,
+    robot_watchers.no_states,
+    robot_watchers.blind_laser,
 )
 """In the order in which they speak."""
 
@@ -49,7 +36,7 @@ class Watch:
 
     def __init__(self, gazebo: Gazebo) -> None:
         self._gazebo = gazebo
-        self._watchers: dict[str, list[Watcher]] = {}
+        self._watchers: dict[str, list[tuple[Watcher, Looks]]] = {}
         self._scenes: dict[str, WatchedModel] = {}
         self._warned: dict[str, frozenset[str]] = {}
         self._timer: Timer | None = None
@@ -65,7 +52,7 @@ class Watch:
         if spawned.model.plan.is_static:
             return
         scene = WatchedModel(self._gazebo, spawned)
-        watchers = [kind(scene) for kind in WATCHERS if kind.is_for(scene)]
+        watchers = [(one, one.looks(scene)) for one in WATCHERS]
         self._watchers[spawned.name] = self._still_watching(scene, watchers)
         self._scenes[spawned.name] = scene
         if self._timer is None:
@@ -88,24 +75,26 @@ class Watch:
             self._timer.cancel()
             self._timer = None
 
-    def _still_watching(self, scene: WatchedModel, watchers: list[Watcher]) -> list[Watcher]:
+    def _still_watching(
+        self, scene: WatchedModel, watchers: list[tuple[Watcher, Looks]]
+    ) -> list[tuple[Watcher, Looks]]:
         """Let watchers look; those that have more to look at."""
         if watchers and scene.motion is not None:
             scene.motion.look()
         left = []
-        for one in watchers:
-            finding = one.look()
-            if finding is not None:
-                self._say(one, finding)
-            elif not one.is_over:
-                left.append(one)
+        for watcher, looks in watchers:
+            found = next(looks, "")
+            if found is None:
+                left.append((watcher, looks))
+            elif found:
+                self._say(scene, watcher, found)
         return left
 
-    def _say(self, watcher: Watcher, finding: Observation) -> None:
-        if watcher.is_said_by_rule and watcher.rule in self._warnings(watcher.scene.spawned):
+    def _say(self, scene: WatchedModel, watcher: Watcher, found: str) -> None:
+        if watcher.is_said_by_rule and watcher.rule in self._warnings(scene.spawned):
             return
-        say = self._gazebo.node.info if finding.is_hint else self._gazebo.node.warn
-        say(f"[{watcher.rule}] {finding.text}")
+        say = self._gazebo.node.info if isinstance(found, Hint) else self._gazebo.node.warn
+        say(f"[{watcher.rule}] {found}")
 
     def _warnings(self, spawned: Spawned) -> frozenset[str]:
         """The rules under which `check_urdf` warned when a robot was spawned."""

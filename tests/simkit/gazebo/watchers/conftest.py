@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from simkit.gazebo.watching import watch
+from simkit.gazebo.watchers import watch
 from simkit.graph import LogLevel
 from simkit.physics import NoEngineError
 from tests.simkit.plugins.conftest import Stage

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from simkit.gazebo.watching.motion import Moment, means, signed, turn_between
+from simkit.gazebo.watchers.motion import Moment, means, signed, turn_between
 
 
 def moment(x: float, y: float, yaw: float, command: tuple[float, float] = (0.0, 0.0)) -> Moment:

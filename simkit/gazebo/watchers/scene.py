@@ -1,14 +1,79 @@
-"""How far models are above the floor, or in it; which links touch anything, and what they bear."""
+"""What watchers are and look at: a model, the ground below it, and what it touches."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from typing import TypeAlias
 
-from simkit.gazebo.watching.watcher import WatchedModel
+from simkit.gazebo.models import Spawned
+from simkit.gazebo.server import Gazebo
+from simkit.gazebo.watchers.motion import Motion, drive_of
 from simkit.geometry import Vector
 from simkit.physics import Model, Plane, World
 from simkit.urdf.placed_shape import PlacedShape
+
+
+class WatchedModel:
+    """What watchers look at: a model, and the world around it.
+
+    Args:
+        gazebo: The world, and its node.
+        spawned: The model.
+    """
+
+    def __init__(self, gazebo: Gazebo, spawned: Spawned) -> None:
+        self.gazebo = gazebo
+        self.spawned = spawned
+        self.model = spawned.model
+        drive = drive_of(spawned)
+        self.motion = None if drive is None else Motion(drive)
+        """Its driven wheels, and what it did in the last looks; None if it has none."""
+
+
+class Hint(str):
+    """Something that may well be meant so."""
+
+    __slots__ = ()
+
+
+Looks: TypeAlias = Iterator[str | None]
+"""One look each: what is wrong, with numbers, and what would be right; None for nothing yet. The first one is right after
+spawning, the others follow every 0.1 s that the world moves, until it has spoken or ends."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Watcher:
+    """A generator that watches one model for one kind of fault."""
+
+    rule: str
+    """Id of the fault, as `check_urdf` has it."""
+    looks: Callable[[WatchedModel], Looks]
+    """What it does, look by look; nothing for a model that cannot have the fault."""
+    is_said_by_rule: bool
+    """Whether it says what `check_urdf` says under this id; then it is silent if that has warned."""
+
+
+def watcher(
+    rule: str, *, is_said_by_rule: bool = False
+) -> Callable[[Callable[[WatchedModel], Looks]], Watcher]:
+    """Make a watcher of a generator: a decorator."""
+    return lambda looks: Watcher(rule=rule, looks=looks, is_said_by_rule=is_said_by_rule)
+
+
+def drive_watcher(
+    rule: str, *, is_said_by_rule: bool = False
+) -> Callable[[Callable[[WatchedModel, Motion], Looks]], Watcher]:
+    """The same for what has wheels, and can go anywhere."""
+
+    def made(looks: Callable[[WatchedModel, Motion], Looks]) -> Watcher:
+        def of_wheels(scene: WatchedModel) -> Looks:
+            if scene.motion is not None and scene.model.is_free:
+                yield from looks(scene, scene.motion)
+
+        return Watcher(rule=rule, looks=of_wheels, is_said_by_rule=is_said_by_rule)
+
+    return made
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from simkit.gazebo.models import Spawned
 from simkit.geometry import Transform, Vector, roll_pitch_yaw
 from simkit.physics import Model, ModelJoint
-from simkit.plugins.tags import DiffDriveParameters, SkidSteerDriveParameters
+from simkit.plugins.tags import DiffDriveParameters, SkidSteerDriveParameters, tags_of
 from simkit.urdf.model import Cylinder, Sphere
 from simkit.urdf.wheel import round_part
 
@@ -80,28 +80,21 @@ class DrivenWheels:
 
 def drive_of(spawned: Spawned) -> DrivenWheels | None:
     """The driven wheels of a model; of several drives those of the first."""
+    model = spawned.model
     for plugin in spawned.plugins:
         given = plugin.parameters
-        left: tuple[str, ...]
-        right: tuple[str, ...]
-        match given:
-            case DiffDriveParameters():
-                left, right, torque = (given.left_joint,), (given.right_joint,), "wheelTorque"
-            case SkidSteerDriveParameters():
-                left = (given.left_front_joint, given.left_rear_joint)
-                right = (given.right_front_joint, given.right_rear_joint)
-                torque = "torque"
-            case _:
-                continue
-        model = spawned.model
-        return DrivenWheels(
-            model=model,
-            left=tuple(model.joint(name) for name in left),
-            right=tuple(model.joint(name) for name in right),
-            separation=given.wheel_separation,
-            diameter=given.wheel_diameter,
-            torque_tag=torque,
-        )
+        if isinstance(given, DiffDriveParameters | SkidSteerDriveParameters):
+            left, right = (
+                tuple(model.joint(getattr(given, field)) for field in side) for side in given.SIDES
+            )
+            return DrivenWheels(
+                model=model,
+                left=left,
+                right=right,
+                separation=given.wheel_separation,
+                diameter=given.wheel_diameter,
+                torque_tag=tags_of(type(given))[given.TORQUE].name,
+            )
     return None
 
 
@@ -156,19 +149,20 @@ class Motion:
     """
 
     def __init__(self, drive: DrivenWheels) -> None:
-        self._drive = drive
+        self.drive = drive
+        """Its wheels."""
         self._moments: deque[Moment] = deque(maxlen=KEPT + 1)
 
     def look(self) -> None:
         """Look once more."""
-        pose, (linear, angular) = self._drive.model.pose, self._drive.model.twist
+        pose, (linear, angular) = self.drive.model.pose, self.drive.model.twist
         moment = Moment(
             place=pose.translation,
             yaw=roll_pitch_yaw(pose.rotation)[2],
             speed=math.hypot(*linear),
             spin=math.hypot(*angular),
-            command=self._drive.command(),
-            rolled=self._drive.rolled(),
+            command=self.drive.command(),
+            rolled=self.drive.rolled(),
         )
         if self._moments and _jumps(self._moments[-1], moment):
             self._moments.clear()
