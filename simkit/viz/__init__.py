@@ -3,7 +3,7 @@
 Every picture is made once and does not change afterwards, but for those that are called live; it
 shows itself in a notebook and is saved by `save("name.svg")`, or `.png`, or `.html`. In 2D, `draw` has what both
 SVG and PNG are made of; `trees`, `plots` and `turtlesim` are drawn with it. In 3D, `stage` has the scene, `page`
-shows it in a browser and `still` without one; `view` and `live` hand it to people. A scene over time is a `tape`,
+shows it in a browser and `still` without one; `view` hands it to people. A scene over time is a `tape`,
 which a `replay` plays. `widgets` move robots by hand.
 """
 
@@ -13,7 +13,6 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from simkit.viz.live import LiveRviz, LiveWorld
     from simkit.viz.plots.joints import JointPlot, TrackingPlot
     from simkit.viz.plots.model_recording import ModelRecording
     from simkit.viz.plots.paths import PathPlot
@@ -28,7 +27,7 @@ if TYPE_CHECKING:
     from simkit.viz.trees.robot import RobotTree
     from simkit.viz.turtlesim.replay import TurtleReplay
     from simkit.viz.turtlesim.view import LiveView, TurtlesimView
-    from simkit.viz.view import RvizView, WorldView
+    from simkit.viz.view import LiveRviz, LiveWorld, RvizView, WorldView
     from simkit.viz.widgets.joint_sliders import JointSliders
     from simkit.viz.widgets.teleop_pad import TeleopPad
     from simkit.viz.widgets.trajectory_sliders import TrajectorySliders, controlled_joints
@@ -73,9 +72,9 @@ _HOMES = {
     "FramesPicture": "trees.frames",
     "JointPlot": "plots.joints",
     "JointSliders": "widgets.joint_sliders",
-    "LiveRviz": "live",
+    "LiveRviz": "view",
     "LiveView": "turtlesim.view",
-    "LiveWorld": "live",
+    "LiveWorld": "view",
     "ModelRecording": "plots.model_recording",
     "PathPlot": "plots.paths",
     "RobotTree": "trees.robot",

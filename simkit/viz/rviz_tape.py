@@ -9,7 +9,7 @@ from typing import Any, Final
 from simkit.geometry import Vector
 from simkit.tf import Buffer
 from simkit.viz.draw.thinning import Row
-from simkit.viz.plots.recorded import RecordedTopics
+from simkit.viz.plots.plot import RecordedTopics
 from simkit.viz.stage.camera import AXIS_SHARE, AXIS_SHARE_OF_ROBOT, stage_for
 from simkit.viz.stage.frames import FramePose, tf_scene
 from simkit.viz.stage.parts import corners

@@ -11,7 +11,7 @@ from typing import Any, Final
 from simkit.errors import UnknownNameError
 from simkit.geometry import Transform, Vector
 from simkit.viz.draw.thinning import Row
-from simkit.viz.plots.recorded import RecordedTopics
+from simkit.viz.plots.plot import RecordedTopics
 from simkit.viz.stage.frames import FramePose
 from simkit.viz.stage.parts import Marks, Role
 from simkit.viz.stage.topic_marks import Shown

@@ -9,8 +9,15 @@ from typing import TYPE_CHECKING, Any, Final
 from simkit.errors import UnknownNameError
 from simkit.msgs import Time
 from simkit.viz.draw.letters import shortened
-from simkit.viz.plots.plot import Plot, finish, line_color, panels
-from simkit.viz.plots.recorded import RecordedTopics, recorded_topic, timed
+from simkit.viz.plots.plot import (
+    Plot,
+    RecordedTopics,
+    finish,
+    line_color,
+    panels,
+    recorded_topic,
+    timed,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -11,8 +11,15 @@ from typing import TYPE_CHECKING, Any, Final
 from simkit.errors import SimkitError
 from simkit.geometry import roll_pitch_yaw
 from simkit.viz.draw.letters import shortened
-from simkit.viz.plots.plot import Plot, finish, line_color
-from simkit.viz.plots.recorded import RecordedTopics, recorded_topic, timed, topics_of
+from simkit.viz.plots.plot import (
+    Plot,
+    RecordedTopics,
+    finish,
+    line_color,
+    recorded_topic,
+    timed,
+    topics_of,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

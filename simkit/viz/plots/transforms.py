@@ -11,8 +11,7 @@ from simkit.geometry import roll_pitch_yaw
 from simkit.msgs import Duration, Time
 from simkit.tf import Buffer, BufferCore, TransformException
 from simkit.viz.draw.letters import shortened
-from simkit.viz.plots.plot import Plot, finish, panels
-from simkit.viz.plots.recorded import RecordedTopics
+from simkit.viz.plots.plot import Plot, RecordedTopics, finish, panels
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -52,17 +52,6 @@ class Camera:
         """Whether something is far enough in front of the camera to be drawn."""
         return seen[2] > NEAR * self.distance
 
-    def clipped(self, start: Vector, end: Vector) -> tuple[Vector, Vector] | None:
-        """The part of a line (as seen) that can be drawn; None if there is none."""
-        near = 1.0001 * NEAR * self.distance
-        if not self.is_before(start) and not self.is_before(end):
-            return None
-        if not self.is_before(start):
-            start = _at_depth(start, end, near)
-        elif not self.is_before(end):
-            end = _at_depth(end, start, near)
-        return start, end
-
 
 def on_paper(seen: Vector, size: Point) -> Point:
     """Where something that is seen lies in a picture of that width and height [px]."""
@@ -111,12 +100,6 @@ def _centred(camera: Camera, points: Sequence[Vector]) -> Camera:
     y = (min(upwards) + max(upwards)) / 2 * camera.distance
     tx, ty, tz = (t + x * r + y * u for t, r, u in zip(camera.target, right, up, strict=True))
     return replace(camera, target=(tx, ty, tz))
-
-
-def _at_depth(behind: Vector, before: Vector, depth: float) -> Vector:
-    ratio = (depth - behind[2]) / (before[2] - behind[2])
-    right, up = (b + ratio * (e - b) for b, e in zip(behind[:2], before[:2], strict=True))
-    return (right, up, depth)
 
 
 _AZIMUTH, _ELEVATION = math.radians(-112.0), math.radians(32.0)

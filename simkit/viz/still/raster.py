@@ -7,7 +7,6 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from simkit.geometry import Vector
 from simkit.viz.draw.drawing import Point
 from simkit.viz.stage import style
 from simkit.viz.stage.camera import NEAR, Camera, focal_length
@@ -152,26 +151,8 @@ class Eye:
         points, nearness, shades = self._seen(surface)
         layer.draw(points, nearness, shades[:, :, None] * np.array(color))
 
-    def line(self, layer: Layer, start: Vector, end: Vector, *, width: float, color: Color) -> None:
-        """Draw a line of a width on paper [px]."""
-        part = self._camera.clipped(self._camera.seen(start), self._camera.seen(end))
-        if part is None:
-            return
-        seen = np.array(part)
-        ends = self._on_paper(seen)
-        along = ends[1] - ends[0]
-        length = float(np.hypot(*along))
-        if length < 1e-9:
-            return
-        aside = width / 2 / length * np.array([-along[1], along[0]])
-        (a, b), (c, d) = ends + aside, ends - aside
-        near_start, near_end = 1.0 / seen[:, 2]
-        points = np.array([(a, b, c), (b, d, c)])
-        nearness = np.array([(near_start, near_end, near_start), (near_end, near_end, near_start)])
-        layer.draw(points, nearness, np.broadcast_to(np.array(color), (2, 3, 3)))
-
     def lines(self, layer: Layer, segments: Array, *, width: float, color: Color) -> None:
-        """Draw many lines of a width on paper [px] in one go.
+        """Draw lines of a width on paper [px] in one go.
 
         Args:
             layer: Where to draw.

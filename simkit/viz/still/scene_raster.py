@@ -41,8 +41,8 @@ _INNER = (Role.CENTRE, Role.JOINT)
 class SceneParts:
     """Everything that is drawn, by how it is drawn."""
 
-    lines: tuple[tuple[Vector, Vector, Color], ...]
-    """The grid: start, end, colour."""
+    grid: tuple[tuple[Array, Color], ...]
+    """The lines of the grid, shape (n, 2, 3) [m], by their colour."""
     opaque: tuple[tuple[Surface, Color], ...]
     """Shapes that hide what is behind them."""
     frames: tuple[tuple[Surface, Color], ...]
@@ -69,7 +69,7 @@ def scene_parts(scene: Scene) -> SceneParts:
     axes = [(joined_surfaces(parts), style.rgb(color)) for color, parts in frames.items()]
     marks = [marks for marks in scene.marks if marks.is_on]
     return SceneParts(
-        lines=tuple(_grid(scene.stage)) if displays.grid else (),
+        grid=tuple(_grid(scene.stage)) if displays.grid else (),
         opaque=tuple((_surface(s), s.color) for s, alpha in outer if alpha >= 1.0),
         frames=(*axes, *inner),
         veils=tuple((_surface(s), s.color, alpha) for s, alpha in outer if alpha < 1.0),
@@ -100,14 +100,14 @@ def _strokes(displays: Iterable[Marks]) -> Iterator[tuple[Array, Color, bool]]:
             yield np.array(parts), style.rgb(marks.color), marks.shines_through
 
 
-def _grid(stage: Stage) -> Iterator[tuple[Vector, Vector, Color]]:
-    cell, (x0, x1), (y0, y1) = stage.cell, stage.grid_x, stage.grid_y
-    lines = [(x, (x * cell, y0 * cell, 0.0), (x * cell, y1 * cell, 0.0)) for x in range(x0, x1 + 1)]
-    lines += [
-        (y, (x0 * cell, y * cell, 0.0), (x1 * cell, y * cell, 0.0)) for y in range(y0, y1 + 1)
-    ]
-    for number, start, end in lines:
-        yield start, end, style.rgb(style.GRID_COLOR if number else style.ZERO_COLOR)
+def _grid(stage: Stage) -> Iterator[tuple[Array, Color]]:
+    """Its lines x = 0 and y = 0, and all others."""
+    xs, ys = (stage.cell * np.arange(low, high + 1.0) for low, high in (stage.grid_x, stage.grid_y))
+    lines = [((x, ys[0], 0.0), (x, ys[-1], 0.0)) for x in xs]
+    lines += [((xs[0], y, 0.0), (xs[-1], y, 0.0)) for y in ys]
+    is_zero = np.concatenate([xs, ys]) == 0.0
+    yield np.array(lines)[~is_zero], style.rgb(style.GRID_COLOR)
+    yield np.array(lines)[is_zero], style.rgb(style.ZERO_COLOR)
 
 
 def _frame_surfaces(poses: tuple[FramePose, ...], length: float) -> Iterator[tuple[Surface, str]]:
@@ -181,8 +181,8 @@ def scene_pixels(scene: Scene, *, size: Point, scale: int = 1) -> Pixels:
 
 
 def _draw(parts: SceneParts, eye: Eye, *, line_width: float) -> None:
-    for start, end, color in parts.lines:
-        eye.line(eye.solid, start, end, width=line_width, color=color)
+    for segments, color in parts.grid:
+        eye.lines(eye.solid, segments, width=line_width, color=color)
     for surface, color in parts.opaque:
         eye.surface(eye.solid, surface, color)
     _draw_marks(parts, eye, eye.solid, shining=False)

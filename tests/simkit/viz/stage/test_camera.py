@@ -64,16 +64,6 @@ def test_a_fitted_camera_is_as_near_as_it_can_be_and_centred():
     assert (max(ys) + min(ys)) / 2 == pytest.approx(SIZE[1] / 2, abs=10)
 
 
-def test_lines_are_cut_at_the_camera():
-    before, behind = FROM_THE_SOUTH.seen((1, 0, 0)), FROM_THE_SOUTH.seen((1, -30, 0))
-    start, end = FROM_THE_SOUTH.clipped(before, behind)
-    assert start == before
-    assert FROM_THE_SOUTH.is_before(end)
-    assert end[0] == pytest.approx(1.0)
-    assert FROM_THE_SOUTH.clipped(behind, before) == (end, start)
-    assert FROM_THE_SOUTH.clipped(behind, behind) is None
-
-
 SIZE_stage = (720.0, 450.0)
 
 

@@ -93,8 +93,8 @@ def eye():
 
 def drawn_one_by_one(segments):
     found = eye()
-    for start, end in segments:
-        found.line(found.solid, tuple(start), tuple(end), width=3.0, color=RED_eye)
+    for segment in segments:
+        found.lines(found.solid, np.array([segment], dtype=float), width=3.0, color=RED_eye)
     return found.solid
 
 
@@ -120,6 +120,13 @@ def test_many_lines_at_once_are_those_that_are_drawn_one_by_one(segments):
     one_by_one, at_once = drawn_one_by_one(segments), drawn_at_once(segments)
     assert at_once.nearness == pytest.approx(one_by_one.nearness)
     assert (at_once.colors == one_by_one.colors).all()
+
+
+def test_lines_are_cut_at_the_camera():
+    cut = drawn_at_once([((0, 0, 0), (0, -40, 10))])
+    assert cut.filled.any()
+    assert cut.nearness.max() <= 1 / (0.02 * CAMERA.distance)
+    assert not drawn_at_once([((0, -40, 10), (0, -50, 10))]).filled.any()
 
 
 def test_lines_are_seen():
