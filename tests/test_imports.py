@@ -164,6 +164,7 @@ CLOCKS_AND_CHANCE = {
         "simkit.graph.process.process_tree": "waits for a process that was killed",
         "simkit.graph.process.virtual_time": "replaces it in node processes",
         "simkit.live.host": "keeps a live simulation in step with the wall",
+        "simkit.live.session": "waits for a simulation that another terminal is starting",
         "simkit.live.keyboard": "looks at the keyboard now and then",
         "simkit.viz.turtlesim.view": "draws no oftener than the eye can follow, and never for most of the time",
         "simkit.viz.widgets": "sends moments to a notebook no oftener than it can take them",

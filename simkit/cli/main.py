@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sys
 from collections.abc import Sequence
@@ -17,6 +18,10 @@ from simkit.commands.errors import (
 )
 from simkit.commands.table import COMMANDS, Entry, TerminalPlace
 from simkit.errors import SimkitError, near_names
+from simkit.live.session import PATIENCE, coming_up, find_session
+
+_OWN_SIMULATION = ("--fast", "--for", "--seed")
+"""Options after which a simulation is begun that nobody joins."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -88,14 +93,25 @@ def _run(entry: Entry, words: Sequence[str]) -> int:
 def _do(entry: Entry, words: Sequence[str]) -> int:
     if entry.place is TerminalPlace.HERE:
         return _show(entry.load()(Call(words=words)))
-    from simkit.cli import sharing  # with the graph and all: more than a look at a message needs
-
     if entry.place is TerminalPlace.HOSTED:
-        return sharing.run_hosted(entry, words)
+        with coming_up() if _begins_shared_one(words) else contextlib.nullcontext():
+            from simkit.cli import (
+                sharing,  # with the graph and all: more than a look at a message needs
+            )
+
+            return sharing.run_hosted(entry, words)
     if words and words[0] in ("-h", "--help"):
         print(f"usage: simkit {entry.name} COMMAND [ARGUMENTS]\n\n{entry.summary}\n")
         return _show(entry.load()(Call(words=words)))
+    from simkit.cli import sharing
+
     return sharing.elsewhere([entry.name, *words])
+
+
+def _begins_shared_one(words: Sequence[str]) -> bool:
+    """Whether a command that can begin a simulation will, for others to join."""
+    own = any(word.partition("=")[0] in _OWN_SIMULATION for word in words)
+    return not own and find_session(PATIENCE) is None
 
 
 def _show(answer: Answer) -> int:

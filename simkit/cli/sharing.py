@@ -18,7 +18,10 @@ from simkit.commands.rosrun import LAST_WORDS
 from simkit.commands.table import COMMANDS, Entry, TerminalPlace
 from simkit.diagnostics import Layout
 from simkit.errors import SimkitError
-from simkit.live import Host, Job, Session, SessionError, call, find_session
+from simkit.live.client import call
+from simkit.live.host import Host
+from simkit.live.job import Job
+from simkit.live.session import PATIENCE, Session, SessionError, find_session
 from simkit.packages import PackagePath
 from simkit.simulation import Simulation
 
@@ -147,9 +150,13 @@ def host(sim: Simulation, until: Callable[[], bool]) -> bool:
     return interrupt.came
 
 
-def running_session() -> Session | None:
-    """The session that is announced, if somebody listens there; a host that was killed leaves its file."""
-    session = find_session()
+def running_session(patience: float = 0.0) -> Session | None:
+    """The session that is announced, if it answers; a host that was killed leaves its file.
+
+    Args:
+        patience: How long to wait for one that is coming up [s].
+    """
+    session = find_session(patience)
     if session is None:
         return None
     try:
@@ -171,7 +178,7 @@ def elsewhere(argv: Sequence[str]) -> int:
     Raises:
         SessionError: No simulation runs.
     """
-    session = running_session()
+    session = running_session(PATIENCE)
     if session is None:
         raise SessionError(
             "no simulation runs; start one in another terminal: simkit roscore, or simkit rosrun ..."

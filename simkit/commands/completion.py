@@ -14,7 +14,8 @@ from simkit.commands.command import Answer, parsed
 from simkit.commands.table import COMMANDS
 from simkit.commands.words import SHORTHANDS
 from simkit.errors import SimkitError
-from simkit.live import call, find_session
+from simkit.live.client import call
+from simkit.live.session import find_session
 from simkit.packages import PackagePath
 
 Candidates = Callable[[Sequence[str]], Iterable[str]]

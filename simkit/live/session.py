@@ -9,6 +9,7 @@ import contextlib
 import json
 import os
 import tempfile
+import time
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -17,6 +18,10 @@ from simkit.errors import SimkitError
 
 FILE_VARIABLE = "SIMKIT_SESSION"
 """Environment variable with the path of the session file, for several simulations at once."""
+
+PATIENCE = 5.0
+"""How long a command waits for a simulation that another terminal is starting [s]."""
+_PERIOD = 0.05
 
 
 class SessionError(SimkitError):
@@ -61,6 +66,7 @@ def announced(session: Session) -> Iterator[None]:
     with os.fdopen(descriptor, "w") as file:
         json.dump(asdict(session), file)
     new.replace(path)
+    _coming_up_file().unlink(missing_ok=True)
     try:
         yield
     finally:
@@ -68,9 +74,41 @@ def announced(session: Session) -> Iterator[None]:
             path.unlink(missing_ok=True)
 
 
-def find_session() -> Session | None:
-    """The session that is announced, or None."""
-    return _read(session_file())
+@contextlib.contextmanager
+def coming_up() -> Iterator[None]:
+    """Let commands of other terminals wait, while the body runs, until it has announced a session."""
+    file = _coming_up_file()
+    with contextlib.suppress(OSError):  # then nobody waits
+        file.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        file.touch()
+    try:
+        yield
+    finally:
+        with contextlib.suppress(OSError):
+            file.unlink(missing_ok=True)
+
+
+def find_session(patience: float = 0.0) -> Session | None:
+    """The session that is announced, or None.
+
+    Args:
+        patience: How long to wait for one that is coming up [s], since it began to.
+    """
+    while (session := _read(session_file())) is None and _is_coming_up(patience):
+        time.sleep(_PERIOD)
+    return session
+
+
+def _coming_up_file() -> Path:
+    return session_file().with_suffix(".starting")
+
+
+def _is_coming_up(patience: float) -> bool:
+    """Whether another terminal began to start a simulation so short a time ago; one that was killed leaves its file."""
+    try:
+        return 0.0 <= time.time() - _coming_up_file().stat().st_mtime < patience
+    except OSError:
+        return False
 
 
 def _read(path: Path) -> Session | None:

@@ -9,7 +9,7 @@ import pytest
 from simkit import Simulation
 from simkit.commands.command import Call
 from simkit.commands.table import COMMANDS, run_command
-from simkit.live import Job
+from simkit.live.job import Job
 
 ROBOT = """<robot name="r"><link name="a"/><link name="b"/>
 <joint name="hip" type="continuous"><parent link="a"/><child link="b"/></joint></robot>"""

@@ -10,13 +10,14 @@ import time
 
 import pytest
 
-from simkit.live import Session, SessionError, call, find_session
+from simkit.live.client import call
+from simkit.live.session import Session, SessionError, find_session
 
 HOST = """
     import os, sys
     from simkit import Simulation
     from simkit.commands.rosrun import run as rosrun
-    from simkit.live import Host
+    from simkit.live.host import Host
 
     def time(call):
         yield f"{call.sim.now.to_sec():.3f}\\n"
