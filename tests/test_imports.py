@@ -84,7 +84,7 @@ MAY_IMPORT = {
     "simkit.graph.process.child": "simkit.graph simkit.ros1",
     "simkit.ros1": "simkit.errors simkit.msgs simkit.tf simkit.tf.listener "
     "simkit.graph.process.client simkit.graph.process.node_client simkit.graph.process.protocol "
-    "simkit.graph.process.errors",
+    "simkit.graph.process.failure",
     # the grader, from plain data up; what it may use of simkit is below
     "grader.errors": "",
     "grader.results": "grader.errors",
@@ -160,7 +160,7 @@ ROS_NAMES = {path.name for path in (ROOT / "simkit/ros1").iterdir()} | set(msgs.
 CLOCKS_AND_CHANCE = {
     "time": {
         "simkit.graph.process.link": "ends a script that is stuck",
-        "simkit.graph.process.spawn_starter": "gives up on an interpreter that does not start",
+        "simkit.graph.process.starters": "gives up on an interpreter that does not start",
         "simkit.graph.process.process_tree": "waits for a process that was killed",
         "simkit.graph.process.virtual_time": "replaces it in node processes",
         "simkit.live.host": "keeps a live simulation in step with the wall",

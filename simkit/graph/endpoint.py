@@ -1,4 +1,4 @@
-"""What publishers, subscriptions and service servers share: they end once, and whoever keeps them hears of it."""
+"""What publishers, subscriptions and service servers share: they end once, and their owner is notified."""
 
 from __future__ import annotations
 

@@ -134,7 +134,7 @@ class Graph:
         *,
         queue_size: int | None = None,
     ) -> Subscription:
-        """A subscription to a resolved topic; of another type than the topic's, it hears nothing."""
+        """A subscription to a resolved topic; of another type than the topic's, it receives nothing."""
         connected = self._type_fits(topic, message_class, node_name)
         return Subscription(
             self._topic(topic, message_class, own=not connected),

@@ -1,4 +1,4 @@
-"""rosout: what nodes say, with node, level and virtual time."""
+"""rosout: what nodes log, with node, level and virtual time."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ class LogRecord:
     """One line of rosout."""
 
     time: Time
-    """Virtual time at which it was said."""
+    """Virtual time at which it was logged."""
     node: str
     """Resolved name of the node."""
     level: LogLevel
     """Severity."""
     text: str
-    """What was said."""
+    """The message."""
 
     def __str__(self) -> str:
         return f"[{self.level.name}] [{self.time.to_sec():.6f}] {self.node}: {self.text}"

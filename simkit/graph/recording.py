@@ -1,4 +1,4 @@
-"""Recordings: what was said on topics, with the virtual time of each message."""
+"""Recordings: messages of topics, with the virtual time of each message."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ Sink = Callable[[bytes, str], None]
 
 
 class Topic:
-    """One topic: its type, who is on it, and what was said last."""
+    """One topic: its type, who is on it, and the last message."""
 
     def __init__(self, name: str, message_class: type[Message], executor: Executor) -> None:
         self.name = name
@@ -53,7 +53,7 @@ class Topic:
 
 
 class Publisher(Endpoint):
-    """A node's right to speak on a topic.
+    """A publisher of a topic.
 
     A latching publisher gives its last message to each later subscriber, as in rospy.
     """
@@ -82,7 +82,7 @@ class Publisher(Endpoint):
 
     @property
     def num_connections(self) -> int:
-        """How many subscriptions hear this publisher."""
+        """How many subscriptions this publisher has."""
         return len(self._topic.subscriptions) if self._connected else 0
 
     def publish(self, message: Message) -> None:
@@ -138,14 +138,14 @@ class Publisher(Endpoint):
 
 
 class Subscription(Endpoint):
-    """A node's ear on a topic: a queue in front of a sink.
+    """A subscriber of a topic: a queue in front of a sink.
 
     Args:
         topic: The topic.
         node_name: Resolved name of the subscribing node.
         sink: Takes each message's bytes and the publisher's node name.
         queue_size: At most so many wait; the oldest is dropped. None: no bound.
-        connected: False for a subscription whose type is not the topic's; it hears nothing.
+        connected: False for a subscription whose type is not the topic's; it receives nothing.
     """
 
     def __init__(
@@ -174,7 +174,7 @@ class Subscription(Endpoint):
 
     @property
     def num_connections(self) -> int:
-        """How many publishers it hears."""
+        """How many publishers it receives from."""
         return len(self._topic.publishers)
 
     def push(self, data: bytes, caller: str) -> None:

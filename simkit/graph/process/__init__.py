@@ -1,6 +1,6 @@
 """Where a script runs: a process of its own, in lockstep with virtual time.
 
-`protocol` is what both sides say; a `starter` and `child` bring a process to life, forked by a `fork_server` (`zygote`)
+`protocol` is what both sides say; `starters` and `child` bring a process to life, forked by a `fork_server` (`zygote`)
 where there is one. The node's side: `node_client`, `scheduler`, `virtual_time`; `client` hands them to rospy. The
 graph's side: `link`, `turns`, `script_node`, and `requests` with those of topics and services.
 """

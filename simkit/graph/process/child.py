@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from simkit.graph.process import client as client_module
-from simkit.graph.process.errors import describe, print_traceback
+from simkit.graph.process.failure import describe, print_traceback
 from simkit.graph.process.node_client import NodeClient
 from simkit.graph.process.spec import StartSpec, apply_limits
 from simkit.graph.process.virtual_time import seed_everything, virtualise_threading, virtualise_time

@@ -19,7 +19,7 @@ def connect(client: NodeClient) -> None:
 
 @contextlib.contextmanager
 def preloading() -> Iterator[None]:
-    """Allow the import of rospy and its kin before there is a graph: what the warm parent does."""
+    """Allow the import of rospy and tf before there is a graph: what the warm parent does."""
     global _preloading
     _preloading = True
     try:
@@ -46,7 +46,7 @@ def current() -> NodeClient:
     """
     if _current is None:
         raise ImportError(
-            "rospy, tf and their kin work only in a node: save the script in your package and start it with "
+            "rospy and tf work only in a node: save the script in your package and start it with "
             "sim.rosrun('package', 'script.py')"
         )
     return _current

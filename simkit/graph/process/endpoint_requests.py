@@ -33,12 +33,12 @@ class TopicRequests:
             numbers, node.subscriptions
         )
         self._has_lost = False
-        self.asked: dict[Op, Callable[[bytes], Any]] = {
+        self.answered: dict[Op, Callable[[bytes], Any]] = {
             Op.ADVERTISE: self._advertise,
             Op.SUBSCRIBE: self._subscribe,
         }
         """What is answered, and how."""
-        self.told: dict[Op, Callable[[bytes], None]] = {
+        self.noted: dict[Op, Callable[[bytes], None]] = {
             Op.PUBLISH: self._publish,
             Op.UNADVERTISE: self._publishers.drop,
             Op.UNSUBSCRIBE: self._subscriptions.drop,
@@ -91,10 +91,10 @@ class TopicRequests:
 
     def _sink(self, topic: str, number: int, *, stored: bool) -> Callable[[bytes, str], None]:
         """Brings the messages of a topic to the node."""
-        head, tell = protocol.pack_id(number), self._node.tell
+        head, post = protocol.pack_id(number), self._node.post
 
         def sink(data: bytes, caller: str) -> None:
-            if not tell(Op.DELIVER, head, protocol.pack_name(caller), data, stored=stored):
+            if not post(Op.DELIVER, head, protocol.pack_name(caller), data, stored=stored):
                 self._warn_of_loss(topic)
 
         return sink
@@ -170,9 +170,9 @@ class ServiceRequests:
         )
         self._calls: dict[int, tuple[Reply, Any]] = {}
         self._call_numbers = itertools.count(1)
-        self.asked: dict[Op, Callable[[bytes], Any]] = {Op.OFFER_SERVICE: self._offer}
+        self.answered: dict[Op, Callable[[bytes], Any]] = {Op.OFFER_SERVICE: self._offer}
         """What is answered, and how."""
-        self.told: dict[Op, Callable[[bytes], None]] = {
+        self.noted: dict[Op, Callable[[bytes], None]] = {
             Op.WITHDRAW_SERVICE: self._servers.drop,
             Op.SERVICE_ANSWER: self._take_answer,
             Op.CALL: self._call,
@@ -198,7 +198,7 @@ class ServiceRequests:
             call = next(self._call_numbers)
             self._calls[call] = (reply, kind)
             ids = protocol.pack_id(call) + protocol.pack_id(number)
-            node.tell(Op.SERVE, ids, protocol.pack_name(caller), data)
+            node.post(Op.SERVE, ids, protocol.pack_name(caller), data)
             if not node.alive:
                 self.abandon_calls()
 
@@ -225,7 +225,7 @@ class ServiceRequests:
         head = protocol.pack_id(number)
 
         def reply(success: bool, answer: bytes) -> None:
-            self._node.tell(Op.CALL_RESULT, head, bytes([success]), answer)
+            self._node.post(Op.CALL_RESULT, head, bytes([success]), answer)
 
         refusal = self._start_call(written, data, reply)
         if refusal:

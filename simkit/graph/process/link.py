@@ -1,4 +1,8 @@
-"""Graph side: the wire to one node process, with its output, its allowance of wall time, and its end."""
+"""The wire between a node process and the graph: the end of the node, and that of the graph.
+
+A node says what it has to say in one frame, and waits for one in answer. The graph's end also collects what the node
+prints, and holds it to its allowance of wall time.
+"""
 
 from __future__ import annotations
 
@@ -7,16 +11,71 @@ import contextlib
 import os
 import re
 import socket
+import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
 
 from simkit.graph.process import protocol
 from simkit.graph.process.fork_server import Source, readable
-from simkit.graph.process.starter import StartedProcess
+from simkit.graph.process.protocol import Op, Outbox
+
+if TYPE_CHECKING:
+    from simkit.graph.process.starters import StartedProcess
 
 _FRAME_LINE = re.compile(
     r'^  File "(?P<file>[^"]+)", line (?P<line>[0-9]{1,9})(?: in (?P<function>.+))?$'
 )
+
+# -- node side
+
+
+class Line:
+    """A node process's wire to the graph.
+
+    Args:
+        connection: Connected stream socket; the graph is at the other end.
+    """
+
+    def __init__(self, connection: socket.socket) -> None:
+        self.outbox = Outbox()
+        """What the node has sent since its last turn."""
+        self._connection = connection
+        self._reader = protocol.FrameReader()
+
+    def turn(self) -> Iterator[tuple[Op, bytes]]:
+        """Send the records, wait for the graph, and give the records of its answer.
+
+        The process ends here if the graph is gone: no thread of it has anything left to say.
+        """
+        try:
+            self.send()
+            frame = protocol.receive_frame(self._connection, self._reader)
+        except OSError:
+            frame = None
+        if frame is None:
+            os._exit(0)
+        return protocol.records(frame)
+
+    def send(self) -> None:
+        """Send the records, after what the script has printed.
+
+        Raises:
+            OSError: The graph is gone.
+        """
+        _flush_output()
+        self._connection.sendall(self.outbox.take())
+
+
+def _flush_output() -> None:
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            stream.flush()
+        except (AttributeError, OSError, ValueError):
+            continue  # a script may close or replace its streams
+
+
+# -- graph side
 
 
 class Stuck(Exception):
@@ -208,7 +267,7 @@ class Printout:
         """All of it."""
         return self.data.decode("utf-8", "replace")
 
-    def show_news(self) -> None:
+    def show_new_text(self) -> None:
         """Show what has come since the last call; half a character waits for its other half."""
         if self._shown < len(self.data):
             text = self._decoder.decode(self.data[self._shown :])

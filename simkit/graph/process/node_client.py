@@ -12,8 +12,8 @@ import sys
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from simkit.graph.process import errors, protocol
-from simkit.graph.process.line import Line
+from simkit.graph.process import failure, protocol
+from simkit.graph.process.link import Line
 from simkit.graph.process.protocol import Op
 from simkit.graph.process.scheduler import Scheduler, Task, Worker
 
@@ -203,7 +203,7 @@ class NodeClient:
 
     def report_fault(self, error: BaseException) -> None:
         """Tell the graph of an error that the node survives."""
-        self._line.outbox.add_json(Op.FAULT, {**errors.describe(error, sys.argv[0])})
+        self._line.outbox.add_json(Op.FAULT, {**failure.describe(error, sys.argv[0])})
 
     def finish(self, code: int, failure: dict[str, Any] | None) -> None:
         """The last word of the process."""

@@ -1,4 +1,4 @@
-"""Processes that came from this one: ask Linux about them, and end them all; other systems do not tell."""
+"""Processes that came from this one: ask Linux about them, and end them all; other systems do not know them."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def end_tree(child: int, *, spare: Collection[int] = ()) -> int | None:
             break
         tree = grown
     with contextlib.suppress(ProcessLookupError, PermissionError):
-        os.killpg(child, signal.SIGKILL)  # where nobody tells of children, its session at least
+        os.killpg(child, signal.SIGKILL)  # where children are not known, its session at least
     _send(tree, signal.SIGKILL)
     return _reap(child, spare)
 

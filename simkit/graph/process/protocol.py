@@ -26,7 +26,7 @@ MAX_DEPTH = 50
 MAX_NAME = 4096
 """Longest node or topic name in a record [bytes]."""
 LEAST_PERIOD_NS = 100_000
-"""Nobody looks for news more often than this [ns]: each look is work for the graph."""
+"""Nobody polls more often than this [ns]: each look is work for the graph."""
 NEVER = -1
 """Wake-up time of a node that waits for events only."""
 
@@ -53,7 +53,7 @@ class Op(enum.IntEnum):
     PARAM = 11  # node: JSON {do, name, value}; REPLY
     LOG = 12  # node: u8 level, text
     QUERY = 13  # node: JSON {what, ...}; REPLY
-    WAIT = 14  # node, last: wake-up time [ns] or NEVER; and if it looks again and again for news: period, end
+    WAIT = 14  # node, last: wake-up time [ns] or NEVER; and if it polls: period, end
     ASK = 15  # node, last: the graph answers at once, no time passes
     EXIT = 16  # node, last: JSON {code, failure}
     FAULT = 17  # node: JSON failure of a callback; the node goes on
@@ -174,7 +174,7 @@ def pack_time(time_ns: int) -> bytes:
 
 
 def pack_looks(first_ns: int, period_ns: int, end_ns: int) -> bytes:
-    """The body of a WAIT of one that looks for news: when first, how often, until when [ns]."""
+    """The body of a WAIT of a node that polls: when first, how often, until when [ns]."""
     return _LOOKS.pack(first_ns, period_ns, end_ns)
 
 
@@ -191,7 +191,7 @@ def unpack_looks(body: bytes) -> tuple[int, int, int]:
     except struct.error as error:
         raise ProtocolError("not a time to wake up") from error
     if first_ns < 0 or period_ns < LEAST_PERIOD_NS:
-        raise ProtocolError("looks for news without a beginning, or too often")
+        raise ProtocolError("polls without a beginning, or too often")
     return first_ns, period_ns, end_ns
 
 

@@ -1,6 +1,6 @@
 """Graph side: what a script's process asks of the graph, operation by operation.
 
-Topics, services, parameters and rosout each have their own; here they are told apart, and the node gets its name.
+Topics, services, parameters and rosout each have their own; here each record finds its own, and the node gets its name.
 """
 
 from __future__ import annotations
@@ -29,18 +29,18 @@ class Requests:
         self._initialized = False
         self._topics = TopicRequests(node)
         self._services = ServiceRequests(node)
-        self._asked: dict[Op, Callable[[bytes], Any]] = {
+        self._answered: dict[Op, Callable[[bytes], Any]] = {
             Op.INIT_NODE: self._init_node,
             Op.QUERY: self._query,
-            **self._topics.asked,
-            **self._services.asked,
-            **ParameterRequests(node).asked,
+            **self._topics.answered,
+            **self._services.answered,
+            **ParameterRequests(node).answered,
         }
-        self._told: dict[Op, Callable[[bytes], None]] = {
+        self._noted: dict[Op, Callable[[bytes], None]] = {
             Op.FAULT: lambda body: node.add_fault(protocol.unpack_json(body)),
-            **self._topics.told,
-            **self._services.told,
-            **LogRequests(node).told,
+            **self._topics.noted,
+            **self._services.noted,
+            **LogRequests(node).noted,
         }
 
     def abandon_calls(self) -> None:
@@ -56,9 +56,9 @@ class Requests:
         for op, body in protocol.records(frame):
             if op in _LAST:
                 return op, body
-            if op in self._told:
-                self._told[op](body)
-            elif op in self._asked:
+            if op in self._noted:
+                self._noted[op](body)
+            elif op in self._answered:
                 self._answer(op, body)
             else:
                 raise ProtocolError(f"{op.name} is not for a node to say")
@@ -66,7 +66,7 @@ class Requests:
 
     def _answer(self, op: Op, body: bytes) -> None:
         try:
-            reply = self._asked[op](body)
+            reply = self._answered[op](body)
         except SimkitError as error:
             reply = {"error": str(error)}
         except (KeyError, TypeError, AttributeError, ValueError) as error:
@@ -123,7 +123,7 @@ class LogRequests:
     def __init__(self, node: ScriptNode) -> None:
         self._node = node
         self._size_said = 0
-        self.told: dict[Op, Callable[[bytes], None]] = {Op.LOG: self._log}
+        self.noted: dict[Op, Callable[[bytes], None]] = {Op.LOG: self._log}
         """What is done without an answer."""
 
     def _log(self, body: bytes) -> None:
@@ -137,7 +137,7 @@ class LogRequests:
         if self._size_said <= MAX_SAID:
             self._node.graph.log(self._node.name, level, text)
         elif before <= MAX_SAID:
-            warning = "this node says too much; no more is kept"
+            warning = "this node logs too much; no more is kept"
             self._node.graph.log(self._node.name, LogLevel.WARN, warning)
 
 
@@ -151,7 +151,7 @@ class ParameterRequests:
     def __init__(self, node: ScriptNode) -> None:
         self._node = node
         self._size_set = 0
-        self.asked: dict[Op, Callable[[bytes], Any]] = {Op.PARAM: self._param}
+        self.answered: dict[Op, Callable[[bytes], Any]] = {Op.PARAM: self._param}
         """What is answered, and how."""
 
     def _param(self, body: bytes) -> dict[str, Any]:

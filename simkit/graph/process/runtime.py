@@ -9,10 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from simkit.graph.process.fork_server import HAS_FORK, StartError
-from simkit.graph.process.fork_starter import ForkStarter
-from simkit.graph.process.spawn_starter import SpawnStarter
 from simkit.graph.process.spec import NodeLimits, StartSpec
-from simkit.graph.process.starter import StartedProcess, Starter
+from simkit.graph.process.starters import ForkStarter, SpawnStarter, StartedProcess, Starter
 
 
 class NodeRuntime:

@@ -12,7 +12,7 @@ import sys
 from collections import deque
 from collections.abc import Callable
 
-from simkit.graph.process import errors
+from simkit.graph.process import failure
 
 Exchange = Callable[[int | None], None]
 """Blocks the whole node until the given virtual time [ns] (None: until an event)."""
@@ -226,5 +226,5 @@ class Worker:
             job()
         except Exception as error:
             # rospy catches what a callback raises; what comes here is a fault of ours, and must not end the thread
-            errors.print_traceback(error, sys.stderr)
+            failure.print_traceback(error, sys.stderr)
             self._report_fault(error)

@@ -1,7 +1,7 @@
 """Graph side: a script that runs as a node in a process of its own.
 
 The node is resumed by events (its wake-up time, a message, an answer), acts within one instant, and blocks again. What it asks
-for is done by `requests`; what became of it is told by `failure`.
+for is done by `requests`; what became of it is worded by `failure`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from simkit.graph.process.protocol import Op, Outbox, ProtocolError
 from simkit.graph.process.requests import Requests
 from simkit.graph.process.runtime import NodeRuntime
 from simkit.graph.process.spec import Permissions, StartSpec
-from simkit.graph.process.starter import StartedProcess
+from simkit.graph.process.starters import StartedProcess
 from simkit.graph.process.turns import Turns
 from simkit.graph.services import ServiceServer
 from simkit.graph.topics import Publisher, Subscription
@@ -73,7 +73,7 @@ class ScriptNode:
         self._remappings: dict[str, str] = {}
         self._requests = Requests(self)
         self._turns = Turns(graph.executor, self._resume, lambda: not self.outbox.is_empty)
-        self._told_to_end = False
+        self._shutdown_requested = False
         self._start_event = graph.executor.call_soon(self._start)
 
     def __repr__(self) -> str:
@@ -83,7 +83,7 @@ class ScriptNode:
             state = f"ended: {self.end_failure}" if self.end_failure else "ended"
         return f"<node {self.name} ({self._spec.shown_path}), {state}>"
 
-    # -- what others ask and tell
+    # -- what others ask of it
 
     @property
     def output(self) -> str:
@@ -106,11 +106,11 @@ class ScriptNode:
         if not self.alive:
             return
         self.graph.remove_node(self)
-        self._told_to_end = True
+        self._shutdown_requested = True
         if self._process is None or self._acting:
             self._end(
                 kill=True
-            )  # it has not begun, or Ctrl-C came while it was busy: it hears nothing
+            )  # it has not begun, or Ctrl-C came while it was busy: it can be sent nothing
             return
         self.outbox.add(Op.SHUTDOWN, reason.encode())
         self.resume_soon()
@@ -125,7 +125,7 @@ class ScriptNode:
             self._resume()
         self._end(kill=True)
 
-    def tell(self, op: Op, *body: bytes, stored: bool = False) -> bool:
+    def post(self, op: Op, *body: bytes, stored: bool = False) -> bool:
         """Put a record in the node's outbox and give the node a turn.
 
         Args:
@@ -211,7 +211,7 @@ class ScriptNode:
 
     def _turn(self, *, send: bool) -> None:
         self._acting = (
-            True  # stays so if Ctrl-C comes in between: then it has no ear for last words
+            True  # stays so if Ctrl-C comes in between: then it cannot be sent anything any more
         )
         try:
             self._converse(send=send)
@@ -237,7 +237,7 @@ class ScriptNode:
                 self.outbox.add(Op.RESUME, protocol.pack_time(self.graph.executor.now_ns))
                 self._link.send(self.outbox.take())
             frame = self._link.receive()
-            self._printout.show_news()
+            self._printout.show_new_text()
             last, body = self._requests.perform(frame)
             if last is Op.ASK:
                 send = True
@@ -251,7 +251,7 @@ class ScriptNode:
 
     def _leave(self, last_words: object) -> None:
         self._end(kill=False)
-        if self._told_to_end:
+        if self._shutdown_requested:
             return  # whatever its waits raised when they were cut short is no failure
         reported = last_words.get("failure") if isinstance(last_words, dict) else None
         self.end_failure = failures.from_exit_record(reported)
@@ -287,7 +287,7 @@ class ScriptNode:
             )
         self._link.close()
         self._link = None
-        self._printout.show_news()
+        self._printout.show_new_text()
 
     def _report_death(self) -> None:
         self.graph.log(

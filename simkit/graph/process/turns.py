@@ -20,15 +20,15 @@ class Turns:
     Args:
         executor: Owner of the clock.
         act: Lets the node act; it calls `begin` first.
-        has_news: Whether something has come for the node since its last turn.
+        has_input: Whether something has come for the node since its last turn.
     """
 
     def __init__(
-        self, executor: Executor, act: Callable[[], None], has_news: Callable[[], bool]
+        self, executor: Executor, act: Callable[[], None], has_input: Callable[[], bool]
     ) -> None:
         self._executor = executor
         self._act = act
-        self._has_news = has_news
+        self._has_input = has_input
         self._at_wake: ScheduledEvent | None = None
         self._soon: ScheduledEvent | None = None
         self._instant_ns = -1
@@ -77,7 +77,7 @@ class Turns:
 
         def look() -> None:
             here = self._executor.now_ns
-            if here >= end_ns or self._has_news():
+            if here >= end_ns or self._has_input():
                 self._act()
             else:  # it would find what it found before
                 self._at_wake = self._executor.call_at(here + period_ns, look)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from simkit.graph.process import client
-from simkit.graph.process.errors import print_traceback
+from simkit.graph.process.failure import print_traceback
 from simkit.graph.process.node_client import Refused
 from simkit.graph.process.protocol import Op
 from simkit.msgs import DeserializationError, Duration, Message

@@ -12,7 +12,7 @@ from simkit.graph import Executor, Graph
 from simkit.graph.names import CommandLine
 from simkit.graph.process import NodeLimits, Permissions, ScriptNode, StartSpec
 from simkit.graph.process.scheduler import Scheduler
-from simkit.graph.process.starter import StartedProcess, Starter
+from simkit.graph.process.starters import StartedProcess, Starter
 from simkit.msgs import message_class
 
 

@@ -19,7 +19,7 @@ from simkit.graph.process.link import (
 )
 from simkit.graph.process.process_tree import Usage
 from simkit.graph.process.protocol import Op, Outbox, ProtocolError
-from simkit.graph.process.starter import StartedProcess
+from simkit.graph.process.starters import StartedProcess
 
 
 class Wire:
@@ -242,8 +242,8 @@ def test_what_comes_in_any_pieces_is_shown_once_and_whole(text, size):
     data = text.encode()
     for start in range(0, len(data), size):
         printout.data += data[start : start + size]
-        printout.show_news()
-        printout.show_news()
+        printout.show_new_text()
+        printout.show_new_text()
     assert "".join(shown) == text == printout.text
     assert all(shown)
 
@@ -252,6 +252,6 @@ def test_what_is_no_text_is_shown_nevertheless():
     shown = []
     printout = Printout(shown.append)
     printout.data += b"a\xffb"
-    printout.show_news()
+    printout.show_new_text()
     assert shown == ["a\ufffdb"]
     assert printout.text == "a\ufffdb"

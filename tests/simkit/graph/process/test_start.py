@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from simkit.graph.process import NodeRuntime, StartError, StartSpec, fork_starter
+from simkit.graph.process import NodeRuntime, StartError, StartSpec, starters
 from simkit.graph.process.fork_server import HAS_FORK, clean_environment
 from simkit.graph.process.protocol import FrameReader, Op, receive_frame, records, unpack_json
-from simkit.graph.process.spawn_starter import SpawnStarter
+from simkit.graph.process.starters import SpawnStarter
 
 METHODS = [
     pytest.param(
@@ -197,7 +197,7 @@ def test_a_fork_server_that_was_killed_is_replaced(tmp_path):
 
 @pytest.mark.skipif(not HAS_FORK, reason="there is no fork server on this platform")
 def test_nodes_of_another_copy_of_simkit_are_refused_with_its_place(tmp_path, monkeypatch):
-    monkeypatch.setattr(fork_starter, "SIMKIT", "/elsewhere/simkit")
+    monkeypatch.setattr(starters, "SIMKIT", "/elsewhere/simkit")
     runtime = NodeRuntime(method="fork")
     with pytest.raises(
         StartError, match=r"this simulation that of /elsewhere/simkit.*Run `make` here"

@@ -14,8 +14,8 @@ class Sleeper:
 
     def __init__(self):
         self.executor = Executor(start_ns=0)
-        self.turns = Turns(self.executor, self.act, lambda: self.has_news)
-        self.has_news = False
+        self.turns = Turns(self.executor, self.act, lambda: self.has_input)
+        self.has_input = False
         self.times = []
         self.goes_on = lambda: None
 
@@ -101,7 +101,7 @@ def test_one_that_looks_for_news_wakes_when_it_would_have_found_some(
 ):
     sleeper = Sleeper()
     sleeper.turns.sleep(first_ns, period_ns, end_ns)
-    sleeper.executor.call_at(news_ns, lambda: setattr(sleeper, "has_news", True))
+    sleeper.executor.call_at(news_ns, lambda: setattr(sleeper, "has_input", True))
     sleeper.run(1000)
     plain = range(first_ns, 1000, period_ns)
     assert sleeper.times == [next(t for t in plain if t >= end_ns or t > news_ns)]

@@ -4,7 +4,7 @@ import io
 
 import pytest
 
-from simkit.graph.process.errors import LONGEST_TEXT, describe, print_traceback
+from simkit.graph.process.failure import LONGEST_TEXT, describe, print_traceback
 
 
 class TaughtError(Exception):
