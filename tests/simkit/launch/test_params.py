@@ -323,7 +323,7 @@ def leaves(tree, name=""):
     return found
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.dictionaries(st.text("abcdef", min_size=1, max_size=4), TREES, max_size=4))
 def test_a_tree_of_yaml_unrolls_into_its_leaves(tree):
     import yaml

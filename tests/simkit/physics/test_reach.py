@@ -59,9 +59,7 @@ def inside(region: Region, point, radius: float) -> bool:
     return off + radius <= region.radius + 1e-6
 
 
-@settings(
-    max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
+@settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(links, places, st.randoms(use_true_random=False))
 def test_shapes_stay_in_their_regions(parts, place, random):
     world = World(ground=False)

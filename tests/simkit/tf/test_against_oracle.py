@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from simkit.tf.errors import TransformException
 
-SETTINGS = settings(max_examples=60, derandomize=True, database=None, deadline=None)
+SETTINGS = settings(max_examples=60, derandomize=True, database=None)
 
 
 def rotation(rng):

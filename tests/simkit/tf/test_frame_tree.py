@@ -69,7 +69,7 @@ def forests(draw):
     return frames
 
 
-@settings(max_examples=300, derandomize=True, database=None, deadline=None)
+@settings(max_examples=300, derandomize=True, database=None)
 @given(forests())
 def test_agrees_with_brute_force(tools, forest):
     tree, oracle, static = tools.Tree(), tools.Oracle(), set()

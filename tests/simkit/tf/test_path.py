@@ -78,7 +78,7 @@ def asked(question, core, target, source, time):
         return f"{type(error).__name__}: {error}"
 
 
-@settings(max_examples=150, derandomize=True, database=None, deadline=None)
+@settings(max_examples=150, derandomize=True, database=None)
 @given(st.integers(0, 10**6))
 def test_a_kept_way_answers_as_the_tree_that_is_climbed(tools, seed):
     rng = random.Random(seed)

@@ -16,7 +16,7 @@ from simkit.tf.transformations import quaternion_matrix
 from simkit.urdf import Pose, UrdfError, load_robot
 from simkit.urdf.kinematics import forward_kinematics, joint_positions, joint_transform
 
-SETTINGS = settings(max_examples=25, derandomize=True, database=None, deadline=None)
+SETTINGS = settings(max_examples=25, derandomize=True, database=None)
 TYPES = ("fixed", "revolute", "continuous", "prismatic")
 
 

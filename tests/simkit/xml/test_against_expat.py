@@ -193,7 +193,7 @@ def theirs(text: str) -> list[tuple[str, dict[str, str], str, int]]:
     ]
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(elements())
 def test_a_well_formed_text_is_read_as_expat_reads_it(text):
     document = read(text)
@@ -225,7 +225,7 @@ def check_places(document: Document) -> None:
             assert line[span.column - 1 : span.column - 1 + span.length] == name
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(st.text(), st.text(CHARACTERS | st.sampled_from("<>/=&;!?-[]")), st.binary())
 def test_nothing_raises_and_all_places_are_in_the_text(text, markup, data):
     for one in (text, markup, data, f"<a>{markup}</a>", f"<a {markup}/>", f"<a b='{markup}' />"):

@@ -30,8 +30,10 @@ if child == 0:
             time.sleep(1000)
         made += 1
     os._exit(3)
-time.sleep(0.3)
-before = descendants(os.getpid())
+os.waitid(os.P_PID, child, os.WEXITED | os.WNOWAIT)
+deadline = time.monotonic() + 20
+while len(before := descendants(os.getpid())) < 51 and time.monotonic() < deadline:
+    time.sleep(0.02)
 code = end_tree(child)
 print(len(before), code, len(descendants(os.getpid())))
 print(*before)
