@@ -36,13 +36,13 @@ def test_the_node_keeps_running(turtle):
     expect(
         turtle.node.alive,
         "the script ended by itself within 1.5 s",
-        hint="A subscriber only works while the script runs: end it with rospy.spin().",
+        hint="A subscriber works only while the script runs: end the script with rospy.spin().",
     )
     refusals = turtle.node.refusals
     expect(
         not refusals,
         refusals[0] if refusals else "",
-        hint="This node only watches the turtle and tells tf where it is.",
+        hint="This node only subscribes to the turtle's pose and broadcasts its transform.",
     )
 
 
@@ -54,20 +54,20 @@ def test_the_frames_are_world_and_turtle1(turtle):
     heard = turtle.transforms()
     expect(
         heard,
-        "no transform was heard on /tf",
-        hint="Is the subscriber on the topic /turtle1/pose, and does its callback call sendTransform?",
+        "no transform was received on /tf",
+        hint="Does the node subscribe to /turtle1/pose, and does the callback call sendTransform?",
     )
     pairs = sorted({(transform.parent, transform.child) for transform in heard})
     expect(
         ("turtle1", "world") not in pairs,
-        "parent and child are swapped: world hangs on turtle1",
+        "parent and child are swapped: world is the child of turtle1",
         hint=f"The child comes before the parent: {SEND}.",
     )
     expect(
         pairs == [("world", "turtle1")],
         "expected the one transform world -> turtle1, got "
         + ", ".join(f"{parent} -> {child}" for parent, child in pairs),
-        hint='The parent is "world"; the child has the turtle\'s name. Capital letters count.',
+        hint='The parent is "world", and the child has the turtle\'s name. Capital letters count.',
     )
 
 
@@ -79,8 +79,8 @@ def test_it_is_sent_again_and_again_with_its_time(turtle):
     heard = turtle.of_frame("turtle1")
     expect(
         len(heard) >= 20,
-        f"{len(heard)} transforms were heard in 2.5 s; expected at least 20",
-        hint="Send a transform for every pose: sendTransform belongs into the callback.",
+        f"{len(heard)} transforms were received in 2.5 s; expected at least 20",
+        hint="Send a transform for every pose: sendTransform belongs in the callback.",
     )
     expect(
         all(transform.stamp > 0 for transform in heard),
@@ -90,7 +90,7 @@ def test_it_is_sent_again_and_again_with_its_time(turtle):
     oldest = max(abs(transform.time - transform.stamp) for transform in heard)
     expect(
         oldest <= 0.1,
-        f"a stamp is {oldest:.3f} s away from the time at which it was sent",
+        f"the stamp of a transform is {oldest:.3f} s away from the time at which it was sent",
         hint="Stamp each transform with rospy.Time.now() at the moment you send it.",
     )
 
@@ -115,7 +115,7 @@ def test_the_position_follows_the_turtle(turtle, rng):
             what="the position of turtle1",
             unit="m",
             frame="world",
-            hint="The translation is where the turtle is, (msg.x, msg.y, 0): turtles live in the plane.",
+            hint="The translation is the turtle's position, (msg.x, msg.y, 0): turtles live in the plane.",
         )
 
 
@@ -139,7 +139,7 @@ def expect_a_heading(rotation, theta):
     norm = math.sqrt(x * x + y * y + z * z + w * w)
     expect(
         not (abs(z - theta) < 1e-3 and abs(theta) > 0.1 and abs(x) + abs(y) < 1e-3),
-        f"the angle {theta:.3f} stands in the quaternion itself: {_shown(rotation)}",
+        f"the angle {theta:.3f} was written into the quaternion itself: {_shown(rotation)}",
         hint="A quaternion does not hold angles: "
         "use tf.transformations.quaternion_from_euler(0, 0, msg.theta).",
     )
@@ -163,7 +163,7 @@ def expect_a_heading(rotation, theta):
     expect(
         abs(x) + abs(y) < 0.02,
         f"turtle1 is tilted out of the plane: {_shown(rotation)}",
-        hint="The heading is the third angle: quaternion_from_euler(0, 0, msg.theta).",
+        hint="The heading is the third angle, the yaw: quaternion_from_euler(0, 0, msg.theta).",
     )
 
 
@@ -172,17 +172,17 @@ def _name_the_mistake(rotation, got, theta):
     expect(
         abs(x) < 0.02 or turned(yaw_of((y, z, w, x)), theta) > 0.06,
         f"the quaternion {_shown(rotation)} begins with w",
-        hint="ROS writes quaternions as (x, y, z, w), the w last.",
+        hint="ROS writes a quaternion as (x, y, z, w), with the w last.",
     )
     expect(
         turned(got, math.degrees(theta)) > 0.06,
-        f"the heading is {got:.3f} rad where the turtle's is {theta:.3f} rad: degrees were taken for radians",
-        hint="msg.theta is in radians, and quaternion_from_euler wants radians.",
+        f"the heading is {got:.3f} rad, but the turtle's is {theta:.3f} rad: degrees were taken for radians",
+        hint="msg.theta is in radians, and quaternion_from_euler expects radians: nothing has to be converted.",
     )
     expect(
         turned(got, -theta) > 0.06,
-        f"the heading is {got:.3f} rad where the turtle's is {theta:.3f} rad: it turns the other way",
-        hint="Angles count counter-clockwise, in msg.theta and in quaternion_from_euler alike.",
+        f"the heading is {got:.3f} rad, but the turtle's is {theta:.3f} rad: the frame turns the other way",
+        hint="Angles count counter-clockwise both in msg.theta and in quaternion_from_euler: no minus sign is needed.",
     )
 
 

@@ -13,8 +13,8 @@ from oracles.turtles import TurtleWatch
 
 FIXED = "fixed_tf_broadcaster.py"
 MOVING = "moving_tf_broadcaster.py"
-SLOWEST = 70.0  # so long a round may take [s]
-MOST = 200  # so many transforms a second are enough for anybody
+SLOWEST = 70.0  # the longest time that one revolution may take [s]
+MOST = 200  # transforms a second: more is never needed
 
 
 @pytest.fixture
@@ -39,11 +39,11 @@ def drive(sim):
 
 
 def expect_to_run(node):
-    """A script is still there, and kept to what it may do."""
+    """A script is still running, and did only what it may do."""
     expect(
         node.alive,
         "the script ended by itself within 2 s",
-        hint="Send again and again: while not rospy.is_shutdown(): ... rate.sleep()",
+        hint="Send in a loop: while not rospy.is_shutdown(): ... rate.sleep()",
     )
     expect(
         not node.refusals,
@@ -57,7 +57,7 @@ def expect_pauses(count, seconds):
     expect(
         count <= MOST * seconds,
         f"the transform is sent {count / seconds:.0f} times a second, as fast as the script can",
-        hint="Sleep in the loop: rate.sleep(). Whoever never sleeps floods everybody who listens.",
+        hint="Sleep in the loop: rate.sleep(). A node that never sleeps floods every node that listens to tf.",
     )
 
 
@@ -85,7 +85,7 @@ def test_the_carrot_is_two_metres_ahead(sim, watch, run_node, drive, rng):
             what="the position of carrot1",
             unit="m",
             frame="turtle1",
-            hint="Seen from the turtle, x is ahead, y is to the left, z is up.",
+            hint="In the frame of the turtle x points forward, y to the left, z up.",
         )
         turn = place.rotation
         expect_close(
@@ -94,14 +94,14 @@ def test_the_carrot_is_two_metres_ahead(sim, watch, run_node, drive, rng):
             tolerance=0.01,
             what="the rotation of carrot1",
             frame="turtle1",
-            hint="Not turned at all is the quaternion (0, 0, 0, 1): x, y, z, and the w last.",
+            hint="No rotation is the quaternion (0, 0, 0, 1): x, y, z, and the w last.",
         )
 
 
 @points(1)
 @after("test_the_fixed_carrot_hangs_on_the_turtle")
 def test_the_carrot_can_be_looked_up_at_any_time(sim, watch, run_node, drive, rng):
-    """At every moment tf knows where carrot1 is, and nobody is flooded with transforms."""
+    """At every moment tf knows where carrot1 is, and the node does not flood tf with transforms."""
     run_node(FIXED)
     drive(1.0, 1.0, 0.5)
     expect_pauses(len(watch.of_frame("carrot1")), 1.0)
@@ -150,7 +150,7 @@ def test_the_moving_carrot_keeps_two_metres(sim, watch, run_node):
             what="the height of carrot1",
             unit="m",
             frame="turtle1",
-            hint="The circle lies in the plane of the turtle: x and y change, z is 0.",
+            hint="The circle lies in the plane of the turtle: x and y change, and z is 0.",
         )
         expect_close(
             math.hypot(x, y),
@@ -165,7 +165,7 @@ def test_the_moving_carrot_keeps_two_metres(sim, watch, run_node):
 @points(1)
 @after("test_the_moving_carrot_keeps_two_metres")
 def test_the_moving_carrot_circles(sim, watch, run_node):
-    """The moving carrot1 goes all around the turtle, at any speed, and never turns back."""
+    """The moving carrot1 goes all the way around the turtle, at any speed, and never turns back."""
     run_node(MOVING)
     begin, turned = sim.now.to_sec(), 0.0
     while abs(turned) < 1.2 * math.tau and sim.now.to_sec() < begin + SLOWEST:
@@ -177,7 +177,7 @@ def test_the_moving_carrot_circles(sim, watch, run_node):
         turned = sum(steps)
     expect(
         steps,
-        f"{len(angles)} transforms of carrot1 were heard in {SLOWEST:.0f} s",
+        f"{len(angles)} transforms of carrot1 were received in {SLOWEST:.0f} s",
         hint="Send in a loop, ten times a second.",
     )
     expect(
@@ -190,7 +190,7 @@ def test_the_moving_carrot_circles(sim, watch, run_node):
     expect(
         len(sense) >= 0.95 * len([step for step in steps if abs(step) > 1e-9]),
         "carrot1 swings to and fro instead of going around",
-        hint="The angle must grow with the time, without end; sine and cosine do the rest.",
+        hint="Let the angle grow with the time and never shrink; sine and cosine do the rest.",
     )
 
 
@@ -202,18 +202,18 @@ def expect_all_around(angles):
     expect(
         gap < 2.2 or len(directions) > 4,
         f"carrot1 only jumps between {len(directions)} places",
-        hint="It goes too far between two transforms: let it circle slower, or send more often.",
+        hint="The carrot goes too far between two transforms: let it circle more slowly, or send more often.",
     )
     expect(
         gap < 2.2,
-        f"carrot1 does not go all around: it leaves out {math.degrees(gap):.0f} degrees",
-        hint="One coordinate is a cosine, the other a sine, of one angle that grows with the time.",
+        f"carrot1 does not go all the way around: it leaves out {math.degrees(gap):.0f} degrees",
+        hint="One coordinate is the cosine, the other the sine of the same angle, which grows with the time.",
     )
 
 
 @points(0.5)
 def test_what_tf_echo_prints(submission):
-    """The answers say where carrot1 is seen from turtle1, and which of two printouts changes."""
+    """The answers give the position of carrot1 seen from turtle1, and the printout that changes."""
     expect_close(
         given_answer(submission, "carrot_seen_from_turtle"),
         (2.0, 0.0, 0.0),
@@ -225,7 +225,7 @@ def test_what_tf_echo_prints(submission):
     words = words_of(given_answer(submission, "changes_while_driving"))
     expect(
         "world" in words and "turtle1" not in words,
-        'changes_while_driving is neither right nor wrong: write "world carrot1" or "turtle1 carrot1"'
+        'changes_while_driving is not one of the two: write "world carrot1" or "turtle1 carrot1"'
         if ("world" in words) == ("turtle1" in words)
         else "seen from turtle1, carrot1 stays where it is, however the turtle drives",
         hint="Compare the printouts of the two cells: in which one do the numbers differ?",
@@ -234,22 +234,22 @@ def test_what_tf_echo_prints(submission):
 
 @points(0.5)
 def test_which_frame_is_seen_from_which(submission):
-    """The answers say which frame tf_echo shows, seen from which one, and what stands still."""
+    """The answers say which frame tf_echo shows, seen from which frame, and which frame stands still."""
     pose_of = words_of(given_answer(submission, "pose_of"))
     seen_from = words_of(given_answer(submission, "seen_from"))
     expect(
         (pose_of, seen_from) != (["world"], ["carrot1"]),
         "pose_of and seen_from are the wrong way round",
-        hint="tf_echo turtle1 carrot1 prints 2 m ahead: the carrot is ahead of the turtle. "
-        "Whose pose is it, then, and who looks?",
+        hint="tf_echo turtle1 carrot1 prints 2 m forward: the carrot is ahead of the turtle. "
+        "So whose pose is printed, and from which frame is it seen?",
     )
     expect(
         (pose_of, seen_from) == (["carrot1"], ["world"]),
-        "pose_of and seen_from are the two frames in tf_echo world carrot1",
-        hint='Each is one name, "world" or "carrot1".',
+        "pose_of and seen_from must be the two frames of tf_echo world carrot1",
+        hint='Each answer is one name, "world" or "carrot1".',
     )
     expect(
         words_of(given_answer(submission, "fixed_frame")) == ["world"],
         "fixed_frame is not the frame that stands still while the turtle drives",
-        hint="It is the frame that your broadcaster of exercise 3.1 took as the turtle's parent.",
+        hint="It is the frame that your broadcaster of exercise 3.1 used as the turtle's parent.",
     )

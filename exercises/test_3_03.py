@@ -32,7 +32,7 @@ def expect_turtle2(sim):
     expect(
         sim.run_until(lambda: "/turtle2/pose" in sim.topics() and sim.latest("/turtle2/pose"), 2.0),
         "there is no turtle2 after 2 s",
-        hint="Wait for the service \"spawn\", then call it with 4, 2, 0 and 'turtle2'.",
+        hint="Wait for the service spawn, then call it with 4, 2, 0 and 'turtle2'.",
     )
 
 
@@ -49,13 +49,13 @@ def test_it_spawns_turtle2(sim, run_node):
         (first.x, first.y, first.theta),
         (4.0, 2.0, 0.0),
         tolerance=0.05,
-        what="the place (x, y, theta) of the new turtle",
+        what="the pose (x, y, theta) of the new turtle",
         hint="The arguments of the service are x, y, theta and the name, in this order.",
     )
     expect(
         not node.refusals,
         node.refusals[0] if node.refusals else "",
-        hint="This node spawns turtle2, and drives turtle2 and nobody else.",
+        hint="This node spawns turtle2, and drives only turtle2.",
     )
 
 
@@ -69,8 +69,8 @@ def test_it_survives_until_the_frames_are_there(sim, run_node):
     expect(
         node.alive,
         "the script ended while tf did not know the turtles yet; "
-        "right after the start every lookup fails, so it belongs in try",
-        hint="After except, sleep and go on: a moment later tf knows them.",
+        "right after the start every lookup fails, so it belongs in a try block",
+        hint="In the except block, sleep and go on: a moment later tf knows the turtles.",
     )
     for turtle in ("turtle1", "turtle2"):
         broadcast_turtle(sim, turtle)
@@ -83,8 +83,8 @@ def expect_to_move(sim, seconds):
     expect(
         sim.run_until(lambda: gap(sim.latest("/turtle2/pose"), before) > 0.1, seconds),
         "turtle2 does not move, although tf knows both turtles",
-        hint="Does the lookup succeed? Ask for the latest, rospy.Time(0). Then publish a Twist on "
-        "turtle2/cmd_vel at each turn of the loop; linear.x is the speed.",
+        hint="Does the lookup succeed? Ask for the latest transform, rospy.Time(0). Then publish a Twist on "
+        "turtle2/cmd_vel each time round the loop; linear.x is the speed.",
     )
 
 
@@ -101,20 +101,20 @@ def test_it_comes_to_turtle1(sim, chase, rng):
         nearest < 1.0,
         f"turtle2 came as near as {nearest:.1f} m to turtle1, and no nearer",
         hint="You need turtle1 seen from turtle2: lookupTransform('turtle2', 'turtle1', ...). "
-        "Its distance gives the speed, its direction the turn.",
+        "The distance gives the speed, and the direction gives the turn rate.",
     )
     farthest = max(gap(two, one) for one, two in samples(sim, 4.0))
     expect(
         farthest < 1.5,
         f"turtle2 was with turtle1, but then went {farthest:.1f} m away",
-        hint="Near turtle1 it must be slow: let the speed be 0.5 times the distance.",
+        hint="Near turtle1 it must be slow: make the speed 0.5 times the distance.",
     )
 
 
 @points(1)
 @after("test_it_spawns_turtle2")
 def test_it_looks_at_turtle1(sim, chase, rng):
-    """On its way turtle2 turns to turtle1, and goes straight to it."""
+    """On its way turtle2 turns towards turtle1, and goes straight to it."""
     chase()
     sim.call("/turtle1/teleport_absolute", rng.uniform(1, 2), rng.uniform(8, 10), 0.0)
     expect_to_move(sim, 3.0)
@@ -126,7 +126,7 @@ def test_it_looks_at_turtle1(sim, chase, rng):
         f"on its way turtle2 looks {abs(middle):.1f} rad past turtle1, which is on its "
         f"{'left' if middle > 0 else 'right'}",
         hint="The angle to turn by is atan2(y, x) of turtle1 seen from turtle2, y first; "
-        "positive turns to the left.",
+        "a positive turn rate turns to the left.",
     )
 
 
@@ -146,13 +146,13 @@ def expect_to_follow(seen):
     expect(
         farthest < 2.5,
         f"turtle2 falls behind: it was {farthest:.1f} m away from turtle1",
-        hint="Look up at each turn of the loop, with rospy.Time(0), and send the command at once.",
+        hint="Look turtle1 up each time round the loop, with rospy.Time(0), and send the command at once.",
     )
     angle = usual_bearing(seen)
     expect(
         angle < 0.8,
         f"turtle2 looks up to {angle:.1f} rad past the turtle that it follows",
-        hint="Turn by four times the angle to turtle1, and look it up at each turn of the loop.",
+        hint="Make the turn rate four times the angle to turtle1, and look turtle1 up each time round the loop.",
     )
 
 
@@ -179,24 +179,24 @@ def test_the_launch_file_starts_it_all(sim, launch_plan, roslaunch):
     expect(
         sim.run_until(lambda: "/turtle2/pose" in sim.topics() and sim.latest("/turtle2/pose"), 2.0),
         "the launch file was started, but there is no turtle2",
-        hint=f'Is your listener among the nodes? pkg="hello_ros" type="{SCRIPT}".',
+        hint=f'Is your listener among the nodes? It has pkg="hello_ros" type="{SCRIPT}".',
     )
     nearest = come_near(sim, 1.0, timeout=20.0)
     expect(
         nearest < 1.0,
-        f"all is started, but turtle2 comes no nearer than {nearest:.1f} m",
-        hint="Are names of topics changed by a namespace (ns=) or a <remap>?",
+        f"everything is started, but turtle2 comes no nearer than {nearest:.1f} m",
+        hint="Does a namespace (ns=) or a <remap> in the launch file change the names of topics?",
     )
 
 
 @points(1)
 @after("test_it_follows_a_turtle_that_drives")
 def test_your_answers(submission, sim, chase):
-    """The answers name the broadcaster's argument, and the distance at which turtle2 settles."""
+    """The answers give the broadcaster's argument, and the distance at which turtle2 settles."""
     argument = given_answer(submission, "broadcaster_argument")
     expect(
         isinstance(argument, str) and argument.replace(" ", "").strip("\"'") == "_turtle:=turtle2",
-        "broadcaster_argument is not what makes the broadcaster of exercise 3.1 serve turtle2",
+        "broadcaster_argument does not make the node of exercise 3.1 broadcast turtle2",
         hint="A private parameter ~name is set on the command line with _name:=value.",
     )
     chase()
@@ -208,5 +208,5 @@ def test_your_answers(submission, sim, chase):
         tolerance=0.1,
         what="settled_distance",
         unit="m",
-        hint="Read it at the right end of the plot, where the curve has become flat.",
+        hint="Read it off at the right end of the plot, where the curve is flat.",
     )

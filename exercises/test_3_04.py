@@ -48,25 +48,25 @@ def chase(sim, turtlesim, run_node):
     expect(
         "/turtle2/pose" in sim.topics() and sim.latest("/turtle2/pose"),
         "there is no turtle2 after 3 s",
-        hint="Spawn it as in exercise 3.3: service 'spawn', with 4, 2, 0 and 'turtle2'.",
+        hint="Spawn it as in exercise 3.3: call the service spawn with 4, 2, 0 and 'turtle2'.",
     )
     return node
 
 
 @points(1)
 def test_it_survives_the_time_without_a_past(sim, chase):
-    """The script spawns turtle2, and lives on while tf does not reach back far enough yet."""
+    """The script spawns turtle2, and keeps running while tf does not reach back far enough yet."""
     sim.run(1.0)
     expect(
         chase.alive,
         "the script ended while tf did not know the past yet; "
-        "waiting and lookup both belong in one try, with except tf.Exception",
-        hint="After except, sleep and continue: a few seconds later the past is known.",
+        "waiting and lookup both belong in one try block, with except tf.Exception",
+        hint="In the except block, sleep and continue: a few seconds later tf knows the past.",
     )
     expect(
         not chase.refusals,
         chase.refusals[0] if chase.refusals else "",
-        hint="This node spawns turtle2, and drives turtle2 and nobody else.",
+        hint="This node spawns turtle2, and drives only turtle2.",
     )
 
 
@@ -82,20 +82,20 @@ def test_it_comes_to_a_turtle_that_stands(sim, chase, rng):
     expect(
         gap(sim.latest("/turtle2/pose"), before) > 0.1,
         "turtle2 does not move",
-        hint="Does the lookup ever succeed? Wait with waitForTransformFull before it, "
-        "for the same frames and times.",
+        hint="Does the lookup ever succeed? Call waitForTransformFull before it, "
+        "with the same frames and times.",
     )
     expect(
         nearest < 1.0,
         f"turtle2 came as near as {nearest:.1f} m to turtle1, and no nearer",
-        hint="turtle2 must be taken where it is now, and only turtle1 where it was: "
+        hint="Look up turtle2 where it is now, and only turtle1 where it was: "
         "lookupTransformFull('turtle2', now, 'turtle1', past, 'world').",
     )
     farthest = max(gap(two, one) for one, two in samples(sim, 3.0))
     expect(
         farthest < 1.5,
         f"turtle2 was with turtle1, but then went {farthest:.1f} m away",
-        hint="turtle2 must be taken where it is now, and only turtle1 where it was: "
+        hint="Look up turtle2 where it is now, and only turtle1 where it was: "
         "lookupTransformFull('turtle2', now, 'turtle1', past, 'world').",
     )
 
@@ -112,18 +112,18 @@ def test_it_is_two_seconds_late(sim, near, chase, rng):
     expect(
         late is not None,
         "turtle2 did not set out within 8 s after turtle1 had jumped away",
-        hint="Let past be now - rospy.Duration(2.0), with both computed anew at each turn.",
+        hint="Set past to now - rospy.Duration(2.0), and compute both again each time round the loop.",
     )
     expect(
         late > 1.0,
         f"turtle2 set out {late:.1f} s after turtle1: it follows the present",
-        hint="Give past, 2 s before now, as the time of turtle1.",
+        hint="Pass past, 2 s before now, as the time of turtle1.",
     )
     expect_close(
         late,
         DELAY + 0.2,
         tolerance=0.4,
-        what="the time after which turtle2 follows",
+        what="the delay with which turtle2 follows",
         unit="s",
         hint="The book begins with 5 s; what you hand in has 2: past = now - rospy.Duration(2.0).",
     )
@@ -132,7 +132,7 @@ def test_it_is_two_seconds_late(sim, near, chase, rng):
 @points(1)
 @after("test_it_is_two_seconds_late")
 def test_it_follows_on_a_circle(sim, circling, chase):
-    """While turtle1 drives a circle, turtle2 drives towards the place of two seconds ago."""
+    """While turtle1 drives a circle, turtle2 drives to where turtle1 was two seconds ago."""
     sim.run(3.0)
     seen = samples(sim, 5.0)
     late = round(DELAY / 0.1)
@@ -141,31 +141,31 @@ def test_it_follows_on_a_circle(sim, circling, chase):
     expect(
         farthest < 2.5,
         f"turtle2 was {farthest:.1f} m away from where turtle1 had been 2 s before",
-        hint="Compute now and past at each turn of the loop, and send the command at once.",
+        hint="Compute now and past each time round the loop, and send the command at once.",
     )
     angle = usual_bearing(pairs)
     expect(
         angle < 0.8,
         f"turtle2 looks up to {angle:.1f} rad past the place where turtle1 was 2 s ago",
-        hint="turtle2 must be taken where it is now, and only turtle1 where it was 2 s ago.",
+        hint="Look up turtle2 where it is now, and only turtle1 where it was 2 s ago.",
     )
 
 
 @points(1)
 def test_your_answers(submission):
-    """The answers name the frame that stands still, the reason to wait, and how long tf remembers."""
+    """The answers name the frame that stands still, and say why to wait and how long tf remembers."""
     expect(
         words_of(given_answer(submission, "frame_that_stands")) == ["world"],
-        "frame_that_stands is not the frame that is taken not to have moved between the two times",
+        "frame_that_stands is not the frame that does not move between the two times",
         hint="Both turtles move. It is the fifth argument of lookupTransformFull.",
     )
     waiting = [word.lower() for word in words_of(given_answer(submission, "without_waiting"))]
     expect(
         waiting == ["future"],
-        "2 s ago lies well within what tf remembers; it is the other time that it lacks"
+        "2 s ago is well within what tf remembers; it is the other time that tf lacks"
         if waiting == ["past"]
-        else 'without_waiting is neither right nor wrong: write "past" or "future"',
-        hint="Compare now with the newest transform that has arrived: which of the two is later?",
+        else 'without_waiting is not one of the two words: write "past" or "future"',
+        hint="Compare now with the stamp of the newest transform that has arrived: which of the two is later?",
     )
     expect_close(
         given_answer(submission, "longest_delay"),
@@ -173,5 +173,5 @@ def test_your_answers(submission):
         tolerance=0.5,
         what="longest_delay",
         unit="s",
-        hint="Run the cell with more delays between the last that works and the first that fails.",
+        hint="Run the cell with more delays, between the last one that works and the first one that fails.",
     )

@@ -44,14 +44,14 @@ def expect_often(heard, seconds, node):
     """A listener has published, at least five times a second."""
     expect(
         len(heard) >= 5 * seconds,
-        f"{len(heard)} places were heard on /place in {seconds:.0f} s"
+        f"{len(heard)} places were received on /place in {seconds:.0f} s"
         + ("" if node.alive else "; the script had ended"),
-        hint="look() must give what the lookup gives; None only while tf cannot answer.",
+        hint="look() must return what the lookup returns, and None only while tf cannot answer.",
     )
     expect(
         not node.refusals,
         node.refusals[0] if node.refusals else "",
-        hint="A listener of this exercise publishes on /place.",
+        hint="A listener of this exercise publishes only on /place.",
     )
 
 
@@ -68,16 +68,16 @@ def expect_cause(submission, name, cause, hint):
 
 @points(1)
 def test_the_causes_in_the_tree(submission):
-    """Listener 1 and listener 4 ask for a way through the tree that is not there: the answers say why."""
-    hint = "A name that nobody broadcasts is missing. Two names without a way between them lie in two trees."
+    """Listener 1 and listener 4 ask for a path through the tree that does not exist: the answers say why."""
+    hint = "A frame that no node broadcasts is missing. Two frames without a path between them are in two trees."
     expect_cause(submission, "cause_1", "missing", hint)
     expect_cause(submission, "cause_4", "disconnected", hint)
 
 
 @points(1)
 def test_the_causes_in_time(submission):
-    """Listener 2 and listener 3 ask for a time that tf does not have: the answers say on which side."""
-    hint = "The message says whether the requested time lies before or after what is stored."
+    """Listener 2 and listener 3 ask for a time that tf does not have: the answers say if it is too late or too early."""
+    hint = "The text of the exception says whether the requested time is before or after what tf has stored."
     expect_cause(submission, "cause_2", "future", hint)
     expect_cause(submission, "cause_3", "past", hint)
 
@@ -133,8 +133,8 @@ def test_listener_3_sees_five_seconds_back(sim, scene, places, run_node):
             what="the place that was published",
             unit="m",
             frame="world",
-            hint="The delay stays 5 s. Compute the time anew at each turn: what was not known "
-            "a moment ago may be known now.",
+            hint="The delay stays 5 s. Compute the time again in every call: what tf did not know "
+            "a moment ago it may know now.",
         )
 
 
@@ -157,13 +157,13 @@ def test_listener_4_holds_the_carrot(sim, scene, places, run_node):
             what="the place of carrot1 that was published",
             unit="m",
             frame="world",
-            hint="carrot1 is 2 m ahead of turtle1; look up where it is, seen from world.",
+            hint="carrot1 is 2 m ahead of turtle1; look up where carrot1 is, seen from world.",
         )
 
 
 @points(1)
 def test_the_bridge_brings_the_point_to_the_world(sim, scene, run_node):
-    """point_bridge.py publishes on /carrot_in_world where the point (2, 0, 0) of carrot1 is in world."""
+    """point_bridge.py publishes on /carrot_in_world the point (2, 0, 0) of carrot1, expressed in world."""
     broadcast_frame(sim, "carrot1", "turtle1", translation=(2.0, 0.0, 0.0))
     recording = sim.record({"/carrot_in_world": "geometry_msgs/PointStamped"})
     node = run_node(BRIDGE)
@@ -171,23 +171,23 @@ def test_the_bridge_brings_the_point_to_the_world(sim, scene, run_node):
     heard = [(time.to_sec(), point) for time, point in recording["/carrot_in_world"]][5:]
     expect(
         len(heard) >= 15,
-        f"{len(heard)} points were heard on /carrot_in_world in 4 s"
+        f"{len(heard)} points were received on /carrot_in_world in 4 s"
         + ("" if node.alive else "; the script had ended"),
-        hint="Transform and publish at each turn of the loop, as a geometry_msgs/PointStamped.",
+        hint="Transform the point and publish it each time round the loop, as a geometry_msgs/PointStamped.",
     )
     frame = heard[-1][1].header.frame_id.strip("/")
     expect(
         frame == "world",
-        f'the point says that it is in the frame "{frame}"',
-        hint="Publish what listener.transformPoint('world', point) gives back.",
+        f'the frame_id of the published point is "{frame}"',
+        hint="Publish what listener.transformPoint('world', point) returns.",
     )
     poses = scene.poses("turtle1")
     for time, stamped in heard:
         pose = last_before(poses, stamped.header.stamp.to_sec() or time)
         expect(
             pose,
-            "the point says that it held at a time before the turtle was there",
-            hint="Take rospy.Time(0) as the stamp, or a time that rospy.Time.now() has given.",
+            "the stamp of the published point is a time before the turtle was there",
+            hint="Use rospy.Time(0) as the stamp, or a time from rospy.Time.now().",
         )
         expect_close(
             (stamped.point.x, stamped.point.y, stamped.point.z),
@@ -197,5 +197,5 @@ def test_the_bridge_brings_the_point_to_the_world(sim, scene, run_node):
             unit="m",
             frame="world",
             hint="The point is 2 m ahead of the carrot, so 4 m ahead of the turtle: "
-            "give it the frame_id carrot1, x = 2, and the time rospy.Time(0).",
+            "set its frame_id to carrot1, x = 2, and its stamp to rospy.Time(0).",
         )

@@ -40,16 +40,16 @@ def test_check_urdf_finds_nothing_wrong(robots):
 @points(1)
 @after("test_check_urdf_takes_your_robot")
 def test_the_base_has_your_size(robots, submission):
-    """base_link is a cylinder with the radius and the length that your name gives."""
+    """base_link is a cylinder with the radius and the length that base_of gives for your name."""
     _, shape = cylinder_of(robots.robot(ROBOT), "base_link")
     name = name_of(submission, "student")
     task = base_of(name)
     expect(
         (shape.radius, shape.length) != (task.length, task.radius),
         "radius and length are swapped",
-        hint="The radius is half the width; the length runs along z, from the lower end to the upper.",
+        hint="The radius is half the width, and the length runs along z, from the lower end to the upper.",
     )
-    hint = "Ask base_of for the numbers of your name, in metres. The radius is half the width; the length runs along z."
+    hint = "base_of gives the numbers for your name, in metres. The radius is half the width, and the length runs along z."
     for what, found, wanted in (
         ("radius", shape.radius, task.radius),
         ("length", shape.length, task.length),
@@ -67,19 +67,19 @@ def test_the_base_has_your_size(robots, submission):
 @points(1)
 @after("test_check_urdf_takes_your_robot")
 def test_the_base_has_your_colour(robots, submission):
-    """base_link has the colour that your name gives."""
+    """base_link has the colour that base_of gives for your name."""
     material = cylinder_of(robots.robot(ROBOT), "base_link")[0].material
     expect(
         material is not None and material.rgba is not None,
         "base_link has no colour",
-        hint='<material name="..."><color rgba="red green blue opacity"/></material>, in <visual>.',
+        hint='Write <material name="..."><color rgba="red green blue opacity"/></material> in <visual>.',
     )
     expect_close(
         material.rgba,
         base_of(name_of(submission, "student")).rgba,
         tolerance=0.01,
         what="the colour (red, green, blue, opacity)",
-        hint="Four numbers from 0 to 1 with blanks between them, as base_of shows them.",
+        hint="Write four numbers from 0 to 1 with spaces between them, as base_of prints them.",
     )
 
 
@@ -97,7 +97,7 @@ def test_the_base_stands_on_the_ground(sim, robots):
         tolerance=1e-5,
         what="the height from the lower end to the upper",
         unit="m",
-        hint="A cylinder stands along z by itself: leave rpy at 0 0 0.",
+        hint="A cylinder stands along z by itself, so leave rpy at 0 0 0.",
     )
     expect_close(
         lower,
@@ -106,8 +106,8 @@ def test_the_base_stands_on_the_ground(sim, robots):
         what="the middle of the lower end",
         unit="m",
         frame="world",
-        hint="The origin is the middle of the cylinder: half its length above the ground. An origin of the joint "
-        "would be added to it.",
+        hint="The origin of the visual is the middle of the cylinder, so it is half its length above the ground. An "
+        "<origin> of the joint would be added to it.",
     )
 
 
@@ -119,8 +119,8 @@ def test_the_launch_file_sets_the_description(sim, roslaunch, robots):
     expect(
         "/robot_description" in known,
         "there is no parameter /robot_description after the launch",
-        hint='<param name="robot_description" textfile="$(find hello_ros)/urdf/..."/>. '
-        f"Parameters that are there: {', '.join(known[:5]) or 'none'}.",
+        hint='Set it with <param name="robot_description" textfile="$(find hello_ros)/urdf/..."/>. '
+        f"Parameters that exist: {', '.join(known[:5]) or 'none'}.",
     )
     expect_the_text(sim.params.get("/robot_description"), robots.text(ROBOT))
 
@@ -132,15 +132,19 @@ def expect_the_text(found, wanted):
         return
     expect(
         "<robot" in str(found),
-        f"robot_description is {str(found)[:60]!r}, and that is no URDF",
-        hint="value= sets the text itself; textfile= reads it from a file.",
+        f"robot_description is {str(found)[:60]!r}, which is not a URDF",
+        hint="With value= the parameter is the text that you write there; with textfile= it is the content of a file.",
     )
-    expect(False, "robot_description is another robot", hint="Which file does your textfile name?")
+    expect(
+        False,
+        "robot_description describes another robot",
+        hint="Which file does your textfile= name?",
+    )
 
 
 @points(1)
 def test_the_signpost_is_mended(robots):
-    """check_urdf finds nothing wrong with signpost.urdf, and its three links hang together."""
+    """check_urdf finds nothing wrong with signpost.urdf, and its three links form the tree that was meant."""
     robots.expect_clean(SIGNPOST)
     robot = robots.robot(SIGNPOST)
     tree = {
@@ -149,19 +153,19 @@ def test_the_signpost_is_mended(robots):
     expect_equal(
         tree,
         {"pole": "base_link", "sign": "pole"},
-        what="what hangs on what",
-        hint="Mend the signpost, and leave its links and joints as they are: three links, two joints.",
+        what="which link is attached to which",
+        hint="Fix the signpost, but keep its three links and two joints.",
     )
 
 
 @points(1)
 def test_your_answers(submission):
-    """The answers say what kind of object the base is, and along which axis it stands."""
+    """The answers give the kind of object that the base is, and the axis along which it stands."""
     words = " ".join(words_of(given_answer(submission, "shape"))).lower().split()
     expect(
         [word for word in words if word in KINDS] == ["cylinder"],
         "shape is not the kind of object that the file describes",
-        hint="Look inside <geometry>: the name of the tag is the kind of object.",
+        hint="Look inside <geometry>: the name of the tag there is the kind of object.",
     )
     expect(
         [word.lower() for word in words_of(given_answer(submission, "standing_axis"))] == ["z"],

@@ -37,7 +37,7 @@ def moved(sim, robots):
 
 @points(1)
 def test_check_urdf_takes_your_robot(robots):
-    """ROS accepts hello_ros_robot_2.urdf: torso hangs on base_link, and base_link is fixed to world."""
+    """ROS accepts hello_ros_robot_2.urdf: torso is attached to base_link, and base_link is fixed to world."""
     robots.expect_clean(ROBOT, severity=Severity.ERROR)
     robot = robots.robot(ROBOT)
     expect_chain(robot, "world", "base_link", "torso")
@@ -72,14 +72,14 @@ def test_the_torso_stands_on_the_base(moved):
             what=f"the {which} end of the torso",
             unit="m",
             frame="world",
-            hint="The hip is on top of the base; the middle of the torso is half its length above the hip.",
+            hint="The hip is on top of the base, and the middle of the torso is half its length above the hip.",
         )
 
 
 @points(1)
 @after("test_check_urdf_takes_your_robot")
 def test_the_hip_turns_about_z(robots, moved, rng):
-    """When the hip is at an angle, the torso is turned by that angle about the vertical axis, to the left."""
+    """With the hip at an angle, the torso is rotated by that angle about the vertical axis, to the left."""
     require_joint(robots.robot(ROBOT), "hip")
     moved.move(hip=0.0)
     place, straight = moved.pose("torso")
@@ -88,14 +88,14 @@ def test_the_hip_turns_about_z(robots, moved, rng):
         moved.move(hip=angle)
         new_place, turned = moved.pose("torso")
         hint = (
-            "The hip turns about its <axis>: z points up. "
-            "Without an axis it is x; with a minus sign the torso turns the other way."
+            "The hip turns about its <axis>, and z points up. "
+            "Without <axis> it is the x axis; with a minus sign the torso turns the other way."
         )
         expect_close(
             apart(turned, times(about_z(angle), straight)),
             0.0,
             tolerance=1e-4,
-            what=f"the difference to a turn of {angle:.2f} rad about z",
+            what=f"the difference from a rotation by {angle:.2f} rad about z",
             unit="rad",
             hint=hint,
         )
@@ -103,10 +103,10 @@ def test_the_hip_turns_about_z(robots, moved, rng):
             new_place,
             place,
             tolerance=1e-4,
-            what=f"the place of torso after a turn of {angle:.2f} rad",
+            what=f"the position of torso after a rotation by {angle:.2f} rad",
             unit="m",
             frame="world",
-            hint="The frame of torso lies on the axis: x and y of the hip's origin are 0.",
+            hint="The frame of torso is on the axis, so x and y of the hip's origin are 0.",
         )
 
 
@@ -118,14 +118,14 @@ def test_the_launch_file_brings_the_frames(sim, roslaunch, robots):
     expect(
         sim.run_until(lambda: sim.tf.can_transform("world", "torso"), 2.0),
         "2 s after the launch tf does not know torso, seen from world",
-        hint="robot_state_publisher makes the frames, from robot_description and from the angles that "
-        "joint_state_publisher says on /joint_states. Do both run? " + what_is_there(sim),
+        hint="robot_state_publisher computes the frames, from robot_description and from the angles that "
+        "joint_state_publisher publishes on /joint_states. Do both run? " + what_is_there(sim),
     )
     slider = slider_of(launched)
     expect(
         "hip" in [joint.name for joint in slider.joints],
         "there is no slider for the hip",
-        hint="A slider is shown for each joint of robot_description that can move.",
+        hint="There is a slider for each joint in robot_description that can move.",
     )
     slider.set_position("hip", 0.5)
     sim.run(0.3)
@@ -133,7 +133,7 @@ def test_the_launch_file_brings_the_frames(sim, roslaunch, robots):
 
 
 def what_is_there(sim):
-    """The nodes that are up, and the parameters, as two sentences."""
+    """The nodes that run, and the parameters, as two sentences."""
     nodes = [name for name in sim.nodes() if name != "/simkit"]
     return (
         f"Nodes that run: {', '.join(nodes) or 'none'}. "
@@ -143,23 +143,23 @@ def what_is_there(sim):
 
 @points(1)
 def test_your_answers(robots, launch_plan, submission):
-    """The answers say what hangs on what, what never moves, who broadcasts, and how often."""
+    """The answers name the parent of torso, the frame that never moves, the broadcaster, and the rate."""
     own = own_names(robots, launch_plan)
     for name, right, hint in (
         (
             "parent_of_torso",
             "base_link",
-            "In the drawing an arrow leads from the parent to the child.",
+            "In the drawing each arrow leads from the parent to the child.",
         ),
         (
             "never_moves",
             "base_link",
-            "Its joint is the one of type fixed; it is the child of that joint.",
+            "It is the child of the joint of type fixed.",
         ),
         (
             "broadcaster",
             "robot_state_publisher",
-            "The drawing names the broadcaster beside each arrow. The other node says the angles.",
+            "The drawing names the broadcaster beside each arrow. The other node publishes only the angles.",
         ),
     ):
         told = set(words_of(given_answer(submission, name))) - {"the", "frame", "link", "node"}
@@ -172,8 +172,8 @@ def test_your_answers(robots, launch_plan, submission):
     expect(
         isinstance(told, int | float) and abs(told - 10.0) < 0.6,
         "torso_rate is not right",
-        hint="The drawing shows the average rate of each transform that is sent again and again. Write a number, "
-        "without quotes.",
+        hint="The drawing shows the average rate of each transform; 10000 is what it prints for static ones. Write a "
+        "number, without quotes.",
     )
 
 
@@ -195,10 +195,10 @@ def own_names(robots, launch_plan):
 @points(1)
 @after("test_the_hip_turns_about_z")
 def test_the_hip_has_no_end(robots):
-    """The hip can turn round and round."""
+    """The hip turns without limits."""
     hip = robots.robot(ROBOT).joints["hip"]
     expect(
         hip.type is JointType.CONTINUOUS,
         f"the hip is {hip.type.value}: it stops at its limits",
-        hint='A joint that turns round and round has type="continuous".',
+        hint='A joint that turns without limits has type="continuous".',
     )

@@ -91,20 +91,20 @@ def test_the_upper_arm_has_its_shape(robots):
 @points(1)
 @after("test_check_urdf_takes_your_robot")
 def test_at_zero_the_arm_points_forward(moved):
-    """With both joints at 0 the arm points forward, level with the ground, from the shoulder beside the torso."""
+    """With both joints at 0 the arm points forward, parallel to the ground, from the shoulder beside the torso."""
     moved.move(hip=0.0, shoulder=0.0)
     expect_the_arm(
         moved,
         hip=0.0,
         shoulder=0.0,
-        hint=f"Your arm points {pointing(*moved.ends('upper_arm'))}. The shoulder is at 0 -0.1 0.45 on the torso, "
-        "turned by rpy 0 1.5708 0, and so the arm points forward. The middle of the arm is half its length along the "
-        "z axis of its own frame.",
+        hint=f"Your arm points {pointing(*moved.ends('upper_arm'))}. The origin of the shoulder is 0 -0.1 0.45 in the "
+        "frame of the torso, with rpy 0 1.5708 0, so that the arm points forward. The middle of the arm is half its "
+        "length along the z axis of its own frame.",
     )
 
 
 def pointing(one, other):
-    """In words, which way an arm points whose ends these are; the end nearer to the shoulder is its beginning."""
+    """In words, the direction of an arm with these ends; the end nearer to the shoulder is its beginning."""
     near, far = sorted((one, other), key=lambda end: math.dist(end, arm_at(0.0, 0.0)[0]))
     along = [b - a for a, b in zip(near, far, strict=True)]
     axis = max(range(3), key=lambda number: abs(along[number]))
@@ -119,7 +119,7 @@ def test_the_joints_carry_the_arm(moved, rng):
         moved,
         hip=0.0,
         shoulder=rng.uniform(0.3, 1.2),
-        hint="The shoulder turns about its y axis; a positive angle lowers the arm.",
+        hint="The shoulder turns about its y axis, and a positive angle lowers the arm.",
     )
     expect_the_arm(
         moved,
@@ -144,7 +144,7 @@ def test_the_launch_file_brings_two_sliders(sim, roslaunch, robots):
     expect(
         sim.run_until(lambda: sim.tf.can_transform("world", "upper_arm"), 2.0),
         "2 s after the launch tf does not know upper_arm, seen from world",
-        hint="robot_state_publisher makes the frames, joint_state_publisher says the angles, and both need "
+        hint="robot_state_publisher computes the frames, joint_state_publisher publishes the angles, and both need "
         f"/robot_description. Nodes that run: {', '.join(nodes) or 'none'}. "
         f"Parameters: {', '.join(sim.params.names()[:5]) or 'none'}.",
     )
@@ -153,7 +153,7 @@ def test_the_launch_file_brings_two_sliders(sim, roslaunch, robots):
         expect(
             joint in [one.name for one in slider.joints],
             f"there is no slider for the joint {joint}",
-            hint="A slider is shown for each joint of robot_description that can move.",
+            hint="There is a slider for each joint in robot_description that can move.",
         )
         slider.set_position(joint, angle)
     sim.run(0.3)
@@ -163,7 +163,7 @@ def test_the_launch_file_brings_two_sliders(sim, roslaunch, robots):
 
 @points(2)
 def test_your_answers(submission):
-    """The answers say where the tip is, and at which angles the arm points up and down."""
+    """The answers give the position of the tip, and the angles at which the arm points up and down."""
     expect_the_tip(submission, "tip_at_zero", hip=0.0, shoulder=0.0)
     for name, right in (("shoulder_raised", -math.pi / 2), ("shoulder_hanging", math.pi / 2)):
         told = given_answer(submission, name)
@@ -177,40 +177,43 @@ def test_your_answers(submission):
 
 
 def expect_the_tip(submission, answer, *, hip, shoulder):
-    """An answer says where the tip is at these angles; what is often forgotten is named."""
+    """An answer gives the position of the tip at these angles; the usual mistakes are named."""
     told = given_answer(submission, answer)
     expect(
         is_near(told, arm_at(hip, shoulder)[1]),
         f"{answer} is not where the tip is with the hip at {hip:g} and the shoulder at {shoulder:g} rad",
-        hint=slip_in(told, hip, shoulder)
-        or "Three numbers in metres. Go from the tip to the ground: the length of the arm, the shoulder's place on "
-        "the torso, the turn of the hip, the height of the base. Or move the sliders, and look.",
+        hint=mistake_in(told, hip, shoulder)
+        or "Write three numbers in metres. Go from the tip to the ground: the length of the arm, the position of the "
+        "shoulder on the torso, the rotation of the hip, the height of the base. Or move the sliders, and look.",
     )
 
 
-def slip_in(told, hip, shoulder):
-    """What went wrong, if it is one of the usual slips; else an empty text."""
+def mistake_in(told, hip, shoulder):
+    """What went wrong, if it is one of the usual mistakes; else an empty text."""
     base, tip = arm_at(hip, shoulder)
     x, y, z = tip
     unturned = (0.4 * math.cos(shoulder), -0.1, z)
     central = (x - 0.1 * math.sin(hip), y + 0.1 * math.cos(hip), z)
     in_degrees = arm_at(math.radians(hip), math.radians(shoulder))[1]
-    slips = (
+    mistakes = (
         (tip, ""),
-        ((x, y, z - 0.05), "The base is forgotten: it lifts all by 0.05 m."),
-        ((x, y, z - 0.5), "This height counts from the shoulder, which is 0.45 m up the torso."),
+        ((x, y, z - 0.05), "The height of the base is missing: it lifts everything by 0.05 m."),
+        (
+            (x, y, z - 0.5),
+            "This height is relative to the shoulder, which is itself 0.5 m above the ground.",
+        ),
         (central, "The shoulder is beside the torso, not in it: 0.1 m to the right."),
         (arm_at(hip, -shoulder)[1], "A positive angle of the shoulder LOWERS the arm."),
         (arm_at(-hip, shoulder)[1], "A positive angle of the hip turns LEFT, seen from above."),
-        (unturned, "Here the shoulder has turned, but not the hip."),
-        (base, "That is where the shoulder is; the tip is 0.4 m farther on."),
+        (unturned, "In this position the shoulder has turned, but not the hip."),
+        (base, "This is the position of the shoulder; the tip is 0.4 m farther on."),
         (in_degrees, "The angles are in radians, not in degrees."),
     )
-    return next((words for place, words in slips if is_near(told, place)), "")
+    return next((words for place, words in mistakes if is_near(told, place)), "")
 
 
 def is_near(told, place):
-    """Whether an answer is a place, to a centimetre."""
+    """Whether an answer is a position, to a centimetre."""
     try:
         return math.dist(told, place) < 0.01
     except (TypeError, ValueError, OverflowError):

@@ -48,7 +48,7 @@ def test_check_urdf_finds_nothing_wrong(robots):
 @points(1)
 @after("test_check_urdf_takes_your_robot")
 def test_each_link_has_its_weight(robots):
-    """Each link weighs 1 kg, in the middle of its cylinder, and is as hard to turn as a full cylinder is."""
+    """Each link has a mass of 1 kg, its centre of mass in the middle, and the inertia of a solid cylinder."""
     robot = robots.robot(ROBOT)
     for link, (length, radius) in CYLINDERS.items():
         expect_cylinder_weight(robot, link, mass=1.0, length=length, radius=radius)
@@ -57,7 +57,7 @@ def test_each_link_has_its_weight(robots):
 @points(1)
 @after("test_check_urdf_takes_your_robot")
 def test_each_link_can_be_touched(robots):
-    """The collision shape of each link is the cylinder that is seen, at the same place."""
+    """The collision shape of each link is the same cylinder, in the same place, as its visual."""
     robot = robots.robot(ROBOT)
     for link in CYLINDERS:
         expect_collision_as_visual(robot, link)
@@ -72,27 +72,28 @@ def test_the_launch_file_brings_it_into_a_world(sim, roslaunch):
     expect(
         sim.has_world,
         "the launch file starts no world",
-        hint='A world is started by <include file="$(find gazebo_ros)/launch/empty_world.launch"/>.',
+        hint='Start a world with <include file="$(find gazebo_ros)/launch/empty_world.launch"/>.',
     )
     spawned = sim.gazebo.spawned
     others = ", ".join(name for name in spawned if name != "ground_plane") or "nothing"
     expect(
         MODEL in spawned,
-        f"{MODEL} is not in the world; beside the ground there is: {others}",
-        hint="spawn_model needs -urdf, -param with the name of the parameter, and -model with the name in the world.",
+        f"{MODEL} is not in the world; apart from the ground it contains: {others}",
+        hint="spawn_model needs three arguments: -urdf, -param with the name of the parameter, and -model with the name in "
+        "the world.",
     )
     joints = sorted(spawned[MODEL].model.joints)
     expect(
         joints == ["hip", "shoulder"],
         f"the model in the world has the joints: {', '.join(joints) or 'none'}",
-        hint="A link without mass is left out of the world, and its joint with it.",
+        hint="Gazebo leaves out a link without mass if its joint can move, and the joint with it.",
     )
 
 
 @points(2)
 @after("test_each_link_has_its_weight")
 def test_the_arm_swings_as_it_must(sim, arm):
-    """Let go from level, hip and shoulder move as the equations of motion say, for 0.5 s."""
+    """Released from horizontal, hip and shoulder follow the equations of motion for 0.5 s."""
     reference = SwingingArm()
     for seconds in (0.1, 0.25, 0.5):
         sim.run(seconds - sim.world.time_ns * 1e-9)
@@ -102,14 +103,14 @@ def test_the_arm_swings_as_it_must(sim, arm):
             tolerance=0.02,
             what=f"hip and shoulder {seconds} s after the start",
             unit="rad",
-            hint="Where are the joints, about which axes do they turn, and does anything but weight act on them: "
-            "<dynamics> with damping or friction, a limit?",
+            hint="Are the joints in the right places, with the right axes? Does anything other than gravity act on them, "
+            "such as a <dynamics> with damping or friction, or a limit?",
         )
 
 
 @points(1)
 def test_your_answers(submission):
-    """The answers say what energy the arm has at the bottom, what period it has, and what a link without mass becomes."""
+    """The answers give the energy at the bottom, both periods, and the fate of a link without <inertial>."""
     arm = SwingingArm()
     drop = arm.mass * arm.gravity * arm.lever
     for name, right, tolerance, hint in (
@@ -117,19 +118,19 @@ def test_your_answers(submission):
             "energy_at_the_bottom",
             drop,
             0.02,
-            "What the arm loses in height it gains in speed: m g l.",
+            "The potential energy that the arm loses, m g l, becomes kinetic energy.",
         ),
         (
             "small_period",
             2 * math.pi * math.sqrt(arm.inertia / drop),
             0.01,
-            "The inertia counts about the shoulder: that about the middle, and m l^2 with l = 0.2 m.",
+            "Use the inertia about the shoulder: that about the middle plus m l^2, with l = 0.2 m.",
         ),
         (
             "large_period",
             1.2305,
             0.012,
-            "The hip must be held. The cell prints when the arm is back.",
+            "Hold the hip, as the cell does. The cell prints when the arm is back.",
         ),
     ):
         expect_close(
@@ -138,5 +139,5 @@ def test_your_answers(submission):
     expect(
         words_of(given_answer(submission, "without_inertial")) == ["b"],
         "without_inertial is not right",
-        hint="Look which links and joints are in the world after the arm lost its <inertial>.",
+        hint="Look at which links and joints are in the world once the arm has no <inertial>.",
     )

@@ -44,7 +44,7 @@ def launched(sim, roslaunch):
 
 @points(1)
 def test_check_urdf_takes_your_robot(robots):
-    """check_urdf finds nothing wrong with hello_gazebo_robot_2.urdf: it begins as the robot of exercise 3.9."""
+    """check_urdf finds nothing wrong with hello_gazebo_robot_2.urdf, which extends the robot of exercise 3.9."""
     robots.expect_clean(ROBOT)
     expect_chain(robots.robot(ROBOT), "world", "base_link", "torso", "upper_arm")
 
@@ -60,28 +60,28 @@ def test_the_launch_file_starts_the_controller(exercise, submission, launched):
 @points(1)
 @after("test_the_launch_file_starts_the_controller")
 def test_the_arm_holds_and_goes_where_it_is_told(sim, launched):
-    """The arm does not fall, and the command of the book takes hip and shoulder evenly to 0.1 and -0.5 in a second."""
+    """The arm does not fall, and the book's command takes hip and shoulder to 0.1 and -0.5 at constant speed in 1 s."""
     arm = launched("hip", "shoulder")
     arm.expect_at(
         {"hip": 0.0, "shoulder": 0.0},
         when="before anything was commanded",
-        hint="A controller of positions holds its joints where they are. Has each joint a motor, and does the motor "
-        "take positions?",
+        hint="A position controller holds its joints where they are. Does each joint have a transmission, with the "
+        "interface for positions?",
     )
     arm.command((1.0, {"hip": 0.1, "shoulder": -0.5}))
     for seconds, share in ((0.5, 0.5), (0.5, 1.0), (0.3, 1.0)):
         sim.run(seconds)
         arm.expect_at(
             {"hip": 0.1 * share, "shoulder": -0.5 * share},
-            when=f"when {share * 100:.0f} % of the way are due",
-            hint="position_controllers/JointTrajectoryController moves joints evenly from point to point, if a point "
-            "has no velocities.",
+            when=f"after {share * 100:.0f} % of the time",
+            hint="position_controllers/JointTrajectoryController moves joints at constant speed from point to point, if "
+            "the points have no velocities.",
         )
 
 
 @points(1)
 def test_the_lower_arm_has_its_shape_and_weight(robots):
-    """The lower arm is a cylinder as the other links are: 0.3 m long, radius 0.05 m, silver, solid, 1 kg."""
+    """The lower arm is a cylinder like the other links: 0.3 m long, radius 0.05 m, silver, solid, 1 kg."""
     robot = robots.robot(ROBOT)
     expect_silver_cylinder(robot, "lower_arm", length=LOWER, radius=0.05)
     expect_collision_as_visual(robot, "lower_arm")
@@ -98,23 +98,23 @@ def test_the_elbow_is_at_the_end_of_the_upper_arm(sim, robots, rng):
     expect_lower_arm(
         moved,
         (0.0, 0.0, 0.0),
-        joint_hint="The elbow is where the upper arm ends: 0.4 m along z in the frame of upper_arm. Beside it, on the side "
-        "away from the torso, is the same way as from the torso to the upper arm.",
-        tip_hint="The frame of upper_arm has z along the arm already: no quarter turn is needed to go on straight.",
+        joint_hint="The elbow is at the end of the upper arm, 0.4 m along z in the frame of upper_arm, and 0.1 m to the side "
+        "that points away from the torso.",
+        tip_hint="In the frame of upper_arm z already points along the arm: no quarter turn is needed to continue straight.",
     )
     kind = robot.joints["elbow"].type
     expect(
         kind is JointType.CONTINUOUS,
         f"the elbow is {kind.value}, not continuous",
-        hint='A joint that turns round and round has type="continuous", and no limits.',
+        hint='A joint that turns without limits has type="continuous".',
     )
     bent = (0.0, 0.0, rng.uniform(0.4, 1.4))
     moved.move(hip=0.0, shoulder=0.0, elbow=bent[2])
     expect_lower_arm(
         moved,
         bent,
-        joint_hint="The elbow turns the lower arm about its end.",
-        tip_hint="The elbow turns about the same axis as the shoulder; a positive angle bends the arm down.",
+        joint_hint="The lower arm turns about its end at the elbow, so that end must stay in place.",
+        tip_hint="The elbow turns about the same axis as the shoulder, and a positive angle bends the arm down.",
     )
     angles = tuple(rng.uniform(-3.0, 3.0) for _ in JOINTS)
     moved.move(**dict(zip(JOINTS, angles, strict=True)))
@@ -122,7 +122,7 @@ def test_the_elbow_is_at_the_end_of_the_upper_arm(sim, robots, rng):
         moved,
         angles,
         joint_hint="The upper arm carries the elbow.",
-        tip_hint="Each joint carries all that hangs on it.",
+        tip_hint="Each joint carries everything beyond it.",
     )
 
 
@@ -149,7 +149,7 @@ def expect_lower_arm(moved, angles, *, joint_hint, tip_hint):
 @points(1)
 @after("test_the_launch_file_starts_the_controller")
 def test_joint_states_and_tf_tell_of_all_joints(sim, launched, rng):
-    """The controller moves all three joints, /joint_states tells where they are, and tf knows lower_arm."""
+    """The controller moves all three joints, /joint_states contains them, and tf knows lower_arm."""
     arm = launched(*JOINTS)
     goals = {name: rng.uniform(*RULES.limits[name]) for name in JOINTS}
     arm.command((1.0, goals))
@@ -168,8 +168,8 @@ def test_joint_states_and_tf_tell_of_all_joints(sim, launched, rng):
     for name in JOINTS:
         expect(
             name in told,
-            f"/joint_states has nothing of {name}, but of: {', '.join(sorted(told)) or 'nothing'}",
-            hint="The plugin libgazebo_ros_joint_state_publisher.so tells of the joints that its <jointName> names, with "
+            f"/joint_states does not contain {name}; it contains: {', '.join(sorted(told)) or 'nothing'}",
+            hint="The plugin libgazebo_ros_joint_state_publisher.so publishes the joints that its <jointName> lists, with "
             "commas between them.",
         )
         apart = max(told[name], key=lambda position: abs(position - goals[name]))
@@ -177,22 +177,22 @@ def test_joint_states_and_tf_tell_of_all_joints(sim, launched, rng):
             apart,
             goals[name],
             tolerance=0.01,
-            what=f"what /joint_states tells of {name}",
+            what=f"the position of {name} on /joint_states",
             unit="rad",
-            hint="Two that publish on /joint_states contradict each other. In a world the robot itself tells: no "
-            "joint_state_publisher is needed.",
+            hint="Two publishers on /joint_states contradict each other. In a simulated world the robot itself publishes "
+            "them, so start no joint_state_publisher.",
         )
     expect(
         sim.tf.can_transform("world", "lower_arm"),
         "tf does not know lower_arm, seen from world",
-        hint="robot_state_publisher makes frames of /joint_states and robot_description.",
+        hint="Start robot_state_publisher: it computes the frames from /joint_states and robot_description.",
     )
     found = sim.tf.lookup_transform("world", "lower_arm").transform.translation
     expect_close(
         (found.x, found.y, found.z),
         place_of(arm.model, "lower_arm").origin,
         tolerance=0.01,
-        what="the place of lower_arm as tf tells it",
+        what="the position of lower_arm according to tf",
         unit="m",
         frame="world",
         hint="The robot in the world and the one in robot_description must be the same.",
@@ -201,40 +201,40 @@ def test_joint_states_and_tf_tell_of_all_joints(sim, launched, rng):
 
 @points(1)
 def test_the_node_sends_random_trajectories(sim, run_node):
-    """Every 3 s the node sends a new trajectory, within the limits, and the arm goes there."""
+    """Every 3 s the node sends a new trajectory, within the limits, and the arm follows it."""
     arm = given_arm(sim, *JOINTS, model=MODEL)
     node = run_node(SCRIPT)
     sent = watch(arm, 6.1, RULES)
     expect(
         len(sent) >= 2,
         f"the node sent {len(sent)} trajector{'y' if len(sent) == 1 else 'ies'} within 6.1 s",
-        hint="Publish on /arm_controller/command as soon as somebody listens, and every 3 s from then on.",
+        hint="Publish on /arm_controller/command as soon as the controller subscribes, and every 3 s from then on.",
     )
-    expect(node.alive, "the node ended", hint="Loop while not rospy.is_shutdown().")
+    expect(node.alive, "the node ended", hint="Publish in a loop: while not rospy.is_shutdown().")
     ends = [dict(zip(one.joint_names, one.points[-1].positions, strict=True)) for _, one in sent]
     for name in JOINTS:
         expect(
             len({round(end[name], 4) for end in ends}) == len(ends),
-            f"{name} is sent to the same place twice",
-            hint="Draw a new number for each joint of each point of each trajectory.",
+            f"{name} is sent to the same angle twice",
+            hint="Draw a new random number for every joint, in every point of every trajectory.",
         )
 
 
 @points(1)
 def test_your_answers(submission):
-    """The answers say how the arm moves, how fast it gets, which joint goes where, and what a missing name costs."""
+    """The answers give positions, the greatest speed, the effect of swapped names, and that of a missing one."""
     for name, right, tolerance, hint in (
         (
             "halfway",
             (0.05, -0.25),
             0.003,
-            "Without velocities the joints move evenly: half of the time, half of the way.",
+            "Without velocities the joints move at constant speed: after half the time they are half way.",
         ),
         (
             "fastest",
             0.75,
             0.02,
-            "Give a speed without a sign. A cubic that begins and ends at rest is fastest in the middle; the plot shows it.",
+            "A cubic that begins and ends at rest is fastest in the middle, and the plot shows it. The sign does not matter.",
         ),
         ("swapped", -0.5, 0.003, "Which number belongs to which name?"),
     ):
@@ -250,7 +250,7 @@ def test_your_answers(submission):
     expect(
         words_of(given_answer(submission, "not_told")) == ["a"],
         "not_told is not right",
-        hint="The controller does not read /joint_states. Who does? Try it.",
+        hint="The controller does not subscribe to /joint_states. Which node does? Try it.",
     )
 
 

@@ -56,9 +56,9 @@ def launched(sim, roslaunch, launch_plan):
         spawned = sim.gazebo.spawned if sim.has_world else {}
         others = ", ".join(name for name in spawned if name != "ground_plane") or "nothing"
         raise CheckFailed(
-            f"a second after the launch {MODEL} is not in the world; beside the ground there is: {others}",
-            hint="spawn_model of gazebo_ros needs -urdf, -param with the name of the parameter, and -model with the "
-            "name in the world.",
+            f"a second after the launch {MODEL} is not in the world; apart from the ground it contains: {others}",
+            hint="spawn_model of gazebo_ros needs three arguments: -urdf, -param with the name of the parameter, and "
+            "-model with the name in the world.",
         )
     sim.gazebo.unpause()
     return sim.gazebo.spawned[MODEL].model
@@ -73,7 +73,7 @@ def test_check_urdf_takes_your_robot(robots):
 
 @points(1)
 def test_its_weight_is_where_its_parts_are(robots, robot):
-    """Box and wheels are as heavy and as hard to turn as they look, and the ball that is touched is the one that is seen."""
+    """Box and wheels have the mass and inertia of solid bodies, and the ball is touched where it is seen."""
     described = robots.robot(ROBOT)
     expect_ball(
         described,
@@ -85,18 +85,18 @@ def test_its_weight_is_where_its_parts_are(robots, robot):
     )
     _expect_weight(
         described, "link_chassis", 5.0, (0.0395417, 0.1062083, 0.1416667),
-        "A box of x, y, z: ixx = m (y^2 + z^2) / 12, iyy = m (x^2 + z^2) / 12, izz = m (x^2 + y^2) / 12.",
+        "For a solid box with sides x, y, z: ixx = m (y^2 + z^2) / 12, iyy = m (x^2 + z^2) / 12, izz = m (x^2 + y^2) / 12.",
     )  # fmt: skip
     for wheel in WHEELS:
         _expect_weight(
             described, wheel, 0.2, (0.0005267, 0.001, 0.0005267),
-            "The wheel is a cylinder along y: m r^2 / 2 about y, m (3 r^2 + h^2) / 12 across.",
+            "The wheel is a cylinder along y: m r^2 / 2 about y, m (3 r^2 + h^2) / 12 about x and z.",
         )  # fmt: skip
 
 
 @points(1)
 def test_the_launch_file_brings_it_into_a_world(sim, robots, launched):
-    """After the launch m2wr is in a world, and begins on the floor: neither in it, nor high above."""
+    """After the launch m2wr is in a world, and starts on the floor: neither in it, nor high above it."""
     expect_close(
         lowest_point(robots.robot(ROBOT), launched),
         0.0,
@@ -104,13 +104,13 @@ def test_the_launch_file_brings_it_into_a_world(sim, robots, launched):
         what="the height of its lowest point at the start",
         unit="m",
         frame="world",
-        hint="The wheels reach 0.1 m below link_chassis. spawn_model takes -z with a height.",
+        hint="The wheels reach 0.1 m below the origin of link_chassis. spawn_model takes -z with a height.",
     )
 
 
 @points(1)
 def test_it_stands_still(sim, robot):
-    """Left alone for a second it stays where it is, upright, on both wheels and the ball."""
+    """Without a command the robot stays where it is for a second, upright, on both wheels and the ball."""
     start, height = robot.stand, robot.model.pose.translation[2]
     sim.run(1.0)
     moved = robot.stand.seen_from(start)
@@ -120,7 +120,7 @@ def test_it_stands_still(sim, robot):
         tolerance=0.003,
         what="how far it moved within a second, without a command",
         unit="m",
-        hint="Does it stand on three points of the same height: two wheels and the ball?",
+        hint="Are the lowest points of its two wheels and the ball at the same height?",
     )
     roll_pitch = robot.model.pose.rotation[:2]
     expect_close(
@@ -135,7 +135,7 @@ def test_it_stands_still(sim, robot):
 
 @points(1)
 def test_it_drives_straight_on(robot):
-    """Told 0.4 m/s, it drives 1 m in 2.5 s, straight on."""
+    """Commanded to drive at 0.4 m/s, the robot goes 1 m straight ahead in 2.5 s."""
     moved = robot.drive(0.4, 0.0, settle=0.5, seconds=2.5)
     expect_close(
         (moved.x, moved.y),
@@ -143,35 +143,35 @@ def test_it_drives_straight_on(robot):
         tolerance=0.01,
         what="how far it came ahead and to the left in 2.5 s at 0.4 m/s",
         unit="m",
-        hint="Too slow: are the motors strong enough, <wheelTorque>, and does damping eat what they give? Backward: "
-        "the axis of a wheel. Too far: does it rear up, since its centre of mass is too high?",
+        hint="If it is too slow, look at <wheelTorque>, and at the damping that uses the torque up. If it goes backward, "
+        "look at the axis of a wheel. If it goes too far, it may rear up because its centre of mass is too high.",
     )
     expect_close_angle(
         moved.heading,
         0.0,
         tolerance=math.radians(0.5),
         what="how far it turned meanwhile",
-        hint="Are both wheels at the same distance from the middle, and of the same size?",
+        hint="Do both wheels have the same radius, and the same distance from the middle?",
     )
 
 
 @points(1)
 def test_left_is_left(sim, robot):
-    """Told 0.6 rad/s, it turns to the left at that rate, on the spot, and the ball slides."""
+    """Commanded to turn at 0.6 rad/s, the robot turns to the left at that rate, on the spot, and the ball slides."""
     moved = robot.drive(0.0, 0.6, settle=0.5, seconds=1.0)
     expect(
         moved.heading > 0,
         f"commanded to turn at +0.6 rad/s, which is to the left, it turns at {moved.heading:.2f} rad/s",
-        hint="Left is where y is greater. Which joint is <leftJoint>, and where is its origin?",
+        hint="Left is at positive y. Which joint is <leftJoint>, and where is its origin?",
     )
     drags = robot.drag(*WHEELS)
     rate = (moved.heading + robot.drive(0.0, 0.6, settle=0.0, seconds=1.0).heading) / 2
     share = max(drags, robot.drag(*WHEELS))
     expect(
         share < 0.2,
-        f"the ball does not slide: the floor holds it back with {share:.0%} of what it carries",
-        hint='The friction of a link is that of <gazebo reference="its name">: <mu1> and <mu2>, both 0. Without them '
-        "it is 1.",
+        f"the ball does not slide: friction holds it back with {share:.0%} of the weight on it",
+        hint='Set <mu1> and <mu2> to 0 in <gazebo reference="...">, with the name of the link. Without them the '
+        "coefficient of friction is 1.",
     )
     expect_close(
         rate,
@@ -179,18 +179,18 @@ def test_left_is_left(sim, robot):
         tolerance=SLACK,
         what="its turn rate",
         unit="rad/s",
-        hint="<wheelSeparation> is the distance of the two wheels, hub to hub.",
+        hint="<wheelSeparation> is the distance between the two wheels, hub to hub.",
     )
 
 
 @points(1)
 @after("test_the_launch_file_brings_it_into_a_world")
 def test_the_laser_sees_the_wall(sim, launched, rng):
-    """A scan on /m2wr/laser/scan shows a wall where it is, seen from sensor_laser, and nothing of the robot."""
+    """A scan on /m2wr/laser/scan shows a wall at the right place in the frame sensor_laser, and nothing of the robot."""
     expect(
         "sensor_laser" in launched.links,
         "the model in the world has no link sensor_laser",
-        hint="The sensor sits on that link: give it to the robot, with a fixed joint.",
+        hint="The sensor is attached to that link: add the link, and a fixed joint that holds it.",
     )
     pose = launched.link_pose("sensor_laser")
     expect_close_angle(
@@ -202,33 +202,33 @@ def test_the_laser_sees_the_wall(sim, launched, rng):
     expect(
         SCAN in sim.topics(),
         f"there is no topic {SCAN}",
-        hint="The plugin of the laser says its <topicName>; it is lost if its link is missing.",
+        hint="The plugin of the laser sets it as <topicName>. If the sensor's link is missing, Gazebo drops sensor and plugin.",
     )
     scans = sim.record([SCAN])
     expect(
         sim.run_until(lambda: bool(scans.raw(SCAN)), 1.0),
-        f"no message came on {SCAN} within a second",
-        hint="<update_rate> of the sensor says how often it looks: 20 times a second.",
+        f"no message arrived on {SCAN} within a second",
+        hint="<update_rate> of the sensor sets how often it measures: 20 times a second.",
     )
     scan = scans[SCAN][0][1]
     expect(
         scan.header.frame_id.strip("/") == "sensor_laser",
-        f"the scan says that it is seen from {scan.header.frame_id!r}",
-        hint="<frameName> is the link that the laser sits on: sensor_laser.",
+        f"the frame_id of the scan is {scan.header.frame_id!r}",
+        hint="<frameName> is the link that the laser is attached to: sensor_laser.",
     )
     _expect_wall(scan, distance, shift)
     expect(
         sim.run_until(lambda: sim.tf.can_transform("odom", "sensor_laser"), 1.0),
         "tf does not know where sensor_laser is, seen from odom",
-        hint="odom to link_chassis comes from the plugin of the drive; link_chassis to sensor_laser from a "
-        "robot_state_publisher, which the launch file starts.",
+        hint="The drive plugin broadcasts link_chassis in odom; a robot_state_publisher, which the launch file starts, "
+        "broadcasts sensor_laser in link_chassis.",
     )
 
 
 @points(1)
 @after("test_it_drives_straight_on", "test_left_is_left")
 def test_it_drives_round_the_corner(sim, robots, run_node, rng):
-    """From anywhere, corner.py drives 1 m straight on, turns a quarter turn to the left, and stops."""
+    """From any starting pose, corner.py drives 1 m straight ahead, turns a quarter turn to the left, and stops."""
     # It looks back, so that its heading passes from pi to -pi in the turn.
     start = Stand(rng.uniform(-2, 2), rng.uniform(-2, 2), rng.uniform(1.8, 2.9))
     robot = DrivenRobot(sim, robots.robot(ROBOT), robots.text(ROBOT), name=MODEL, at=start)
@@ -239,48 +239,50 @@ def test_it_drives_round_the_corner(sim, robots, run_node, rng):
     expect(
         not robot.is_at_rest,
         "3 s after the start of corner.py the robot has not moved",
-        hint="Does it publish on /cmd_vel, again and again or once, and does it hear /odom?",
+        hint="Does the script receive messages on /odom, and does it publish on /cmd_vel?",
     )
     _wait_for_rest(sim, robot, node)
     moved = robot.axle(*WHEELS).seen_from(begun)
     expect(
         robot.is_at_rest,
         "20 s after the start of corner.py the robot still moves",
-        hint="A command holds until the next one: the last one must be 0. And what if the heading passes from pi to -pi?",
+        hint="A command holds until the next one, so the last one must be 0. Or does the heading jump from pi to -pi "
+        "during the turn, so that the loop never ends?",
     )
     expect_close_angle(
         moved.heading,
         math.pi / 2,
         tolerance=math.radians(5),
         what="how far it turned",
-        hint="Compare the heading with that at the start of the turn; the difference belongs into the range from -pi to pi.",
+        hint="Compare the heading with the one at the start of the turn, and bring the difference into the range from "
+        "-pi to pi.",
     )
     expect_close(
         (moved.x, moved.y),
         (1.0, 0.0),
         tolerance=0.05,
-        what="how far the middle of its wheels came ahead and to the left, seen from where it began",
+        what="how far the point midway between its wheels came ahead and to the left, from where it began",
         unit="m",
-        hint="Count from where the robot began, which is not 0 0; and slow down before the end.",
+        hint="Measure from where the robot began, which is not 0 0, and slow down before the end.",
     )
 
 
 @points(1)
 def test_your_answers(submission):
-    """The answers say how the robot turned, what it does without commands, and where its beams look."""
+    """The answers give the turn rate as found, what the robot does without commands, and where its beams point."""
     expect_close(
         given_answer(submission, "found_turn_rate"),
         -0.81,
         tolerance=0.13,
         what="found_turn_rate",
         unit="rad/s",
-        hint="Measured on the file as you found it, or computed: its wheels are 0.3 m apart, the plugin believes in "
+        hint="Measure it on the file as you found it, or compute it: the wheels are 0.3 m apart, the plugin assumes "
         "0.4 m, and left is right.",
     )
     expect(
         words_of(given_answer(submission, "no_more_commands")) == ["c"],
         "no_more_commands is not right",
-        hint="Publish one command with rostopic_pub, shut its node down, and let time pass.",
+        hint="Try it: publish one command with rostopic_pub, shut its node down, and let time pass.",
     )
     expect(
         words_of(given_answer(submission, "first_beam")) == ["right"],
@@ -293,7 +295,7 @@ def test_your_answers(submission):
         (359, 360),
         tolerance=0,
         what="middle_beams",
-        hint="720 is even, so none looks straight ahead. The first beam has the number 0, the last one 719.",
+        hint="720 is even, so no beam points exactly straight ahead. The first beam has the number 0, the last one 719.",
     )
 
 
@@ -305,10 +307,10 @@ def _expect_weight(robot, link, mass, inertia, hint):
     """Mass, centre of mass and the three moments about the axes of a link are these."""
     inertial = link_of(robot, link).inertial
     expect(
-        inertial is not None, f"{link} has no mass", hint="Mass and inertia stand in <inertial>."
+        inertial is not None, f"{link} has no mass", hint="Mass and inertia belong in <inertial>."
     )
     expect_close(inertial.mass, mass, tolerance=1e-3, what=f"the mass of {link}", unit="kg",
-                 hint="The table at the beginning says the masses.")  # fmt: skip
+                 hint="The table at the beginning lists the masses.")  # fmt: skip
     expect_close(
         inertial.origin.xyz,
         (0.0, 0.0, 0.0),
@@ -316,7 +318,7 @@ def _expect_weight(robot, link, mass, inertia, hint):
         what=f"the centre of mass of {link}",
         unit="m",
         frame=link,
-        hint="It is in the middle of the shape, and that is the origin of the link.",
+        hint="It is in the middle of the shape, and the middle is the origin of the link.",
     )
     found = inertia_of(robot.links[link], Place((0.0, 0.0, 0.0), rotation_of(0.0, 0.0, 0.0)))
     for axis, right in enumerate(inertia):
@@ -338,24 +340,24 @@ def _expect_wall(scan, distance, shift):
     near = [reach for reach in [*others, *places] if reach < 0.6]
     expect(
         not near,
-        f"{len(near)} of {len(scan.ranges)} beams meet something less than 0.6 m away: the laser sees the robot",
-        hint="It must stand on the box, not in it, with its beams above everything.",
+        f"{len(near)} of {len(scan.ranges)} beams hit something less than 0.6 m away: the laser sees the robot",
+        hint="The laser must stand on the box, not in it, so that no part of the robot is in the plane of its beams.",
     )
     seen = [place for place in places if math.isfinite(place)]
     expect(
         len(seen) >= 10 and len(seen) == len(places) and not any(map(math.isfinite, others)),
-        f"a wall is ahead, its middle {abs(shift):g} m to the {'left' if shift > 0 else 'right'}: the beams do not "
+        f"a wall is ahead, its middle {abs(shift):g} m to the {'left' if shift > 0 else 'right'}: the scan does not "
         "show it there",
-        hint="Does the laser look ahead, and is it upright? The beams count from right to left.",
+        hint="Is the laser upright, and does it look forward? The beams are numbered from right to left.",
     )
     expect_close(
         sum(seen) / len(seen),
         distance,
         tolerance=0.02,
-        what="how far ahead of the laser the beams show the wall",
+        what="how far ahead of the laser the scan shows the wall",
         unit="m",
         frame="sensor_laser",
-        hint="Is the <pose> of the sensor within its link 0 0 0?",
+        hint="The <pose> of the sensor in its link should be 0 0 0.",
     )
 
 

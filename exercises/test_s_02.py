@@ -86,25 +86,25 @@ def test_the_launch_file_starts_your_world(sim, roslaunch, submission):
     expect(
         "ground_plane" in gazebo.spawned,
         f"there is no ground in the world; models in it: {names}",
-        hint=f"{WORLD} includes model://ground_plane. Without it all things fall for ever.",
+        hint=f"Include model://ground_plane in {WORLD}. Without it everything falls for ever.",
     )
     expect(
         "crate" in gazebo.spawned,
         f"there is no crate in the world that {LAUNCH} starts; models in it: {names}",
         hint=f"If this is not your world: does the argument world_name have the path of {WORLD}? "
-        'If it is: the model in it is named "crate".',
+        'If it is your world: the model must be named "crate".',
     )
     expect(
         has_light(submission.files.get(f"gazebo_car/worlds/{WORLD}", "")),
         "there is no sun in the world",
-        hint=f"{WORLD} includes model://sun; without it the models in Gazebo are dim and flat: only the ambient light is left.",
+        hint=f"Include model://sun in {WORLD}. Without it Gazebo shows everything dim and flat.",
     )
 
 
 @points(1)
 @after("test_the_launch_file_starts_your_world")
 def test_your_crate_stands_in_it(sim, roslaunch, submission):
-    """The crate has the size, the mass and the inertia that belong to your name, and stands in its place."""
+    """The crate has the size, mass, inertia and position that crate_of gives for your name."""
     task = crate_of(name_of(submission, "student"))
     a, b, c = task.size
     gazebo = started_world(sim, roslaunch, LAUNCH)
@@ -112,7 +112,7 @@ def test_your_crate_stands_in_it(sim, roslaunch, submission):
     expect(
         crate.is_free,
         "nothing can move your crate",
-        hint="Only what has <static> stands still for ever. Leave it out.",
+        hint="A model with <static> never moves. Leave that tag out.",
     )
     expect_close(
         crate.mass,
@@ -120,7 +120,7 @@ def test_your_crate_stands_in_it(sim, roslaunch, submission):
         tolerance=1e-3,
         what="the mass of your crate",
         unit="kg",
-        hint="Your name says how heavy it is: crate_of(...). Without <mass> it would be 1 kg.",
+        hint="crate_of(...) gives the mass for your name. Without <mass> it would be 1 kg.",
     )
     expect_close(
         crate.centre_of_mass,
@@ -129,7 +129,7 @@ def test_your_crate_stands_in_it(sim, roslaunch, submission):
         what="the middle of your crate",
         unit="m",
         frame="the world",
-        hint="Its <pose> is that of its middle. It stands on the ground: its middle is half its height above it.",
+        hint="<pose> is that of its middle. The crate stands on the ground, so its middle is half its height above it.",
     )
     directions = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
     walls = gazebo.world.cast_rays(crate.centre_of_mass, directions, reach=10.0).distances
@@ -137,15 +137,15 @@ def test_your_crate_stands_in_it(sim, roslaunch, submission):
         walls,
         (a / 2, a / 2, b / 2, b / 2, c / 2, c / 2),
         tolerance=2e-3,
-        what="the way from its middle to its walls, to both sides along x, y and z,",
+        what="the distance from its middle to its sides, in both directions along x, y and z,",
         unit="m",
-        hint="A <collision> holds a <geometry> with a <box>, whose <size> are the three lengths along x, y, z. "
-        "If nothing is hit (inf), the crate has no <collision>.",
+        hint="<collision> contains <geometry> with a <box>, and its <size> is the three lengths along x, y, z. "
+        "If the distance is inf, the crate has no <collision>.",
     )
     expect(
         len(crate.plan.bodies) == 1,
         f"your crate has {len(crate.plan.bodies)} links, not one",
-        hint="A crate is one rigid body: one <link>.",
+        hint="A crate is one rigid body, so it has one <link>.",
     )
     (body,) = crate.plan.bodies.values()
     tensor = turned_inertia(body.body.tensor, place_of(crate, body.name).turn)
@@ -161,13 +161,13 @@ def test_your_crate_stands_in_it(sim, roslaunch, submission):
     expect(
         math.dist(crate.centre_of_mass, (task.x, 0.0, c / 2)) < 5e-3 and speed_of(crate) < 0.02,
         "your crate does not stay where it was put",
-        hint="Is it on the ground, not in it or above it? The ground is at z = 0.",
+        hint="Does it start on the ground, and not in it or above it? The ground is at z = 0.",
     )
 
 
 @points(1)
 def test_check_urdf_takes_your_car(robots):
-    """check_urdf finds no fault in practice_car.urdf: wheels and ball hang on the chassis, and that on base_link."""
+    """check_urdf finds nothing wrong with practice_car.urdf: base_link carries the chassis, which carries wheels and ball."""
     robots.expect_clean(ROBOT)
     robot = robots.robot(ROBOT)
     for part in ("right_wheel", "left_wheel", "front_wheel"):
@@ -176,7 +176,7 @@ def test_check_urdf_takes_your_car(robots):
 
 @points(1)
 def test_each_part_has_its_shape_and_place(robots, spawn):
-    """Each part is seen, and can be touched, with its shape, its size and in its place."""
+    """Each part has a visual and a collision shape of the right kind and size, in the right place."""
     robot, model = robots.robot(ROBOT), spawn()
     for name, (kind, middle, size) in SHAPES.items():
         link, place = link_of(robot, name), place_of(model, name)
@@ -184,22 +184,22 @@ def test_each_part_has_its_shape_and_place(robots, spawn):
             expect(
                 len(shapes) == 1,
                 f"{name} has {len(shapes)} times <{tag}>, not once",
-                hint="Each of the four parts has one <visual> and one <collision>, with the same shape.",
+                hint="Each of the four parts needs one <visual> and one <collision>, with the same shape.",
             )
             solid = solid_of(shapes[0], place)
             expect(
                 solid.kind == kind,
                 f"the {tag} of {name} is a {solid.kind}, not a {kind}",
-                hint="The table of the exercise says which shape each part has.",
+                hint="The table in the exercise lists the shape of each part.",
             )
             expect_close(
                 solid.size,
                 size,
                 tolerance=3e-3,
-                what=f"the room that the {tag} of {name} takes along x, y, z",
+                what=f"the extent of the {tag} of {name} along x, y, z",
                 unit="m",
                 frame="base_link",
-                hint="A cylinder stands along z of its frame. A wheel lies along y: turn it by a quarter "
+                hint="A cylinder extends along the z axis of its frame, but a wheel lies along y: rotate it by a quarter "
                 "turn about x, in <visual> and in <collision>.",
             )
             expect_close(
@@ -209,26 +209,26 @@ def test_each_part_has_its_shape_and_place(robots, spawn):
                 what=f"the middle of the {tag} of {name}",
                 unit="m",
                 frame="base_link",
-                hint="The joint says where the link is, the <origin> of the shape where "
-                "the shape is in the link. base_joint lifts all of it by 0.1 m.",
+                hint="The <origin> of the joint places the link in its parent, and the <origin> of the shape places the "
+                "shape in its link. base_joint lifts everything by 0.1 m.",
             )
 
 
 @points(1)
 def test_each_part_has_its_mass_and_inertia(robots, spawn):
-    """Each part is as heavy, and as hard to turn, as a full body of its shape."""
+    """Each part has the right mass, and the inertia of a solid body of its shape."""
     robot, model = robots.robot(ROBOT), spawn()
     for name, (mass, moments) in WEIGHTS.items():
         link, place = link_of(robot, name), place_of(model, name)
         if link.inertial is None:
-            raise CheckFailed(f"{name} has no mass", hint="Mass and inertia stand in <inertial>.")
+            raise CheckFailed(f"{name} has no mass", hint="Mass and inertia belong in <inertial>.")
         expect_close(
             link.inertial.mass,
             mass,
             tolerance=1e-3,
             what=f"the mass of {name}",
             unit="kg",
-            hint="The table of the exercise says how heavy each part is.",
+            hint="The table in the exercise lists the mass of each part.",
         )
         expect_close(
             point_of(place, link.inertial.origin.xyz),
@@ -237,7 +237,7 @@ def test_each_part_has_its_mass_and_inertia(robots, spawn):
             what=f"the centre of mass of {name}",
             unit="m",
             frame="base_link",
-            hint="It is in the middle of the shape: <origin> in <inertial> is as in <visual>.",
+            hint="It is in the middle of the shape: give <inertial> the same <origin> as <visual>.",
         )
         found = inertia_of(link, place)
         for row in range(3):
@@ -249,27 +249,27 @@ def test_each_part_has_its_mass_and_inertia(robots, spawn):
                 what=f"row {'xyz'[row]} of the inertia of {name}",
                 unit="kg m^2",
                 frame="base_link",
-                hint="The table of inertias has the formula of each shape. A wheel is turned: turn its "
-                "<inertial> too, by the same rpy, or let iyy be the one about its axle.",
+                hint="The table of inertias has the formula for each shape. The wheels are rotated: rotate their "
+                "<inertial> too, by the same rpy, or let iyy be the moment about the axle.",
             )
 
 
 @points(1)
 @after("test_each_part_has_its_shape_and_place")
 def test_it_falls_and_comes_to_rest(sim, spawn):
-    """Spawned from z = 1 the car touches the ground when it should, and then stands on wheels and ball."""
+    """Spawned at z = 1, the car touches the ground when it should, and then stands on wheels and ball."""
     model = spawn(xyz=(0.0, 0.0, 1.0))
     sim.run(FALL - 0.012)
     expect(
         not sim.world.contacts(),
         f"something touches the ground before the car has fallen for {FALL:.2f} s",
-        hint="Does any part reach below the wheels?",
+        hint="Does a part of the car reach lower than its wheels?",
     )
     sim.run(0.024)
     expect(
         bool(sim.world.contacts()),
         f"nothing touches the ground after a fall of {FALL:.2f} s",
-        hint="Wheels and ball need a <collision>; their lowest points are at z = 0 of base_link.",
+        hint="Wheels and ball each need a <collision>, with the lowest point at z = 0 in base_link.",
     )
     sim.run(0.6)
     (x, y, z), turn = place_of(model, "base_link")
@@ -280,7 +280,7 @@ def test_it_falls_and_comes_to_rest(sim, spawn):
         what="where base_link is, half a second after landing",
         unit="m",
         frame="the world",
-        hint="A car whose wheels and ball are equally low lands on all of them, and stays there.",
+        hint="The lowest points of wheels and ball must be at the same height: then the car lands on all of them, and stays.",
     )
     tilt = math.acos(min(1.0, turn[2][2]))
     expect_close(
@@ -289,42 +289,44 @@ def test_it_falls_and_comes_to_rest(sim, spawn):
         tolerance=0.5,
         what="how far the car tilts when it stands",
         unit="degrees",
-        hint="The ball has the radius of the wheels, and its middle is as high as theirs.",
+        hint="The ball must have the radius of the wheels, and its middle must be as high as theirs.",
     )
 
 
 @points(1)
 @after("test_it_falls_and_comes_to_rest")
 def test_it_drives_straight(sim, spawn):
-    """Told to drive at 0.4 m/s, the car does so, straight ahead."""
+    """Commanded to drive at 0.4 m/s, the car does so, straight ahead."""
     model = spawn()
     expect(
         "/cmd_vel" in sim.topics(),
-        "nobody listens to /cmd_vel",
-        hint="The plugin libgazebo_ros_diff_drive.so does. It stands in a <plugin>, in a <gazebo>, at the end of the "
-        "car's file; its commandTopic is cmd_vel.",
+        "nothing subscribes to /cmd_vel",
+        hint="The plugin libgazebo_ros_diff_drive.so does. Write it as <plugin> into a <gazebo> at the end of the car's "
+        "file, with the commandTopic cmd_vel.",
     )
     sim.run(0.2)
     sim.rostopic_pub("/cmd_vel", "geometry_msgs/Twist", {"linear": {"x": 0.4}})
     sim.run(0.8)
     before = model.pose.translation
     sim.run(0.5)
-    way = [(now - then) / 0.5 for now, then in zip(model.pose.translation, before, strict=True)]
+    velocity = [
+        (now - then) / 0.5 for now, then in zip(model.pose.translation, before, strict=True)
+    ]
     expect_close(
-        way,
+        velocity,
         (0.4, 0.0, 0.0),
         tolerance=0.02,
         what="the velocity of the car, commanded to drive at 0.4 m/s,",
         unit="m/s",
         frame="the world",
-        hint="Backwards: look at the axes of the wheels. Too fast or too slow: "
-        "wheelDiameter is twice the radius. Not at all: look at the names of the two joints.",
+        hint="If the car drives backwards, look at the axes of the wheels. If it is too fast or too slow, remember that "
+        "wheelDiameter is twice the radius. If it does not move, look at the names of the two joints.",
     )
 
 
 @points(1)
 def test_your_answers(submission):
-    """The answers say how long it falls, how many bodies there are, and where the weight rests."""
+    """The answers give the time of the fall, the number of bodies, and the share of the weight on the wheels."""
     name_of(submission, "student")
     expect_close(
         given_answer(submission, "fall_time"),
@@ -332,14 +334,15 @@ def test_your_answers(submission):
         tolerance=0.006,
         what="fall_time",
         unit="s",
-        hint="What falls from rest is g t^2 / 2 lower after the time t. Solve that for t; do not forget the root.",
+        hint="After a time t, a body that falls from rest has dropped by g t^2 / 2. Solve that for t, and do not forget the "
+        "root.",
     )
     expect_close(
         given_answer(submission, "bodies_in_gazebo"),
         3,
         tolerance=0.0,
         what="bodies_in_gazebo",
-        hint="What fixed joints hold together is one body. Which joints of the car are not fixed?",
+        hint="Links that are held together by fixed joints are one body. Which joints of the car are not fixed?",
     )
     expect_close(
         given_answer(submission, "weight_on_wheels"),
@@ -347,6 +350,6 @@ def test_your_answers(submission):
         tolerance=0.6,
         what="weight_on_wheels",
         unit="percent",
-        hint="About the axle of the wheels: 0.35 m times the force on the ball is the sum of the weights of "
-        "the links, each times its distance ahead of the axle. The rest of the weight is on the wheels.",
+        hint="Take moments about the axle of the wheels: 0.35 m times the force on the ball is the sum of the weights "
+        "of the links, each times its distance ahead of the axle. The rest of the weight is on the wheels.",
     )

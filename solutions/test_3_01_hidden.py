@@ -19,7 +19,7 @@ def world(sim):
 
 
 def expect_to_be_on_the_turtle(watch, turtle, transform):
-    """A transform has the place and heading that turtlesim gives."""
+    """A transform has the position and heading that turtlesim publishes."""
     pose = watch.pose_at(transform.time, turtle)
     expect_close(
         transform.translation,
@@ -28,12 +28,12 @@ def expect_to_be_on_the_turtle(watch, turtle, transform):
         what=f"the position of {turtle}",
         unit="m",
         frame="world",
-        hint="Send the pose that has just arrived, at height 0.",
+        hint="Send the position from the message that has just arrived, with z = 0.",
     )
     expect(
         turned(yaw_of(transform.rotation), pose.theta) < 0.06,
         f"the heading of {turtle} is not the turtle's",
-        hint="Send the heading that has just arrived.",
+        hint="Send the heading from the message that has just arrived.",
     )
 
 
@@ -49,7 +49,7 @@ def test_the_parameter_names_the_turtle(world, run_node, rng):
     expect(
         frames == [name],
         f"with _turtle:={name} the script broadcasts {', '.join(frames) or 'nothing'}",
-        hint="Ask for the private parameter: rospy.get_param('~turtle', default='turtle1'), "
+        hint="Read the private parameter, rospy.get_param('~turtle', default='turtle1'), "
         "and use it in the topic and in the frame.",
     )
     expect_to_be_on_the_turtle(watch, name, watch.of_frame(name)[-1])
@@ -68,7 +68,7 @@ def test_a_jump_is_followed_at_once(world, run_node, rng):
         heard = watch.of_frame("turtle1")
         expect(
             heard and heard[-1].time > world.now.to_sec() - 0.1,
-            "no transform was heard after a teleport",
+            "no transform was received after a teleport",
             hint="Send a transform for every pose that arrives.",
         )
         expect_to_be_on_the_turtle(watch, "turtle1", heard[-1])
@@ -86,7 +86,7 @@ def test_at_the_wall(world, run_node, rng):
     heard = watch.of_frame("turtle1")
     expect(
         len(heard) >= 20,
-        "hardly any transform was heard on the way to the wall",
+        "hardly any transform was received on the way to the wall",
         hint="Send a transform for every pose that arrives.",
     )
     for transform in heard[-10:]:

@@ -46,7 +46,7 @@ def test_the_carrot_jumps_with_the_turtle(world, run_node, rng):
             what="the position of carrot1",
             unit="m",
             frame="world",
-            hint="Let turtle1 be the parent; tf then turns and moves the carrot with the turtle.",
+            hint="Make turtle1 the parent; tf then moves and turns the carrot with the turtle.",
         )
 
 
@@ -58,7 +58,7 @@ def test_the_circle_moves_with_the_turtle(world, run_node, rng):
     world.run(1.0)
     for _ in range(12):
         world.run(rng.uniform(0.1, 0.5))
-        # Between two transforms tf takes the straight way, so the last one itself is looked at.
+        # Between two transforms tf interpolates along a straight line, so the last one itself is looked at.
         carrot = world.tf.lookup_transform("turtle1", "carrot1").transform.translation
         expect_close(
             (math.hypot(carrot.x, carrot.y), carrot.z),
@@ -72,7 +72,7 @@ def test_the_circle_moves_with_the_turtle(world, run_node, rng):
         expect(
             age <= 0.5,
             f"the newest transform of carrot1 is {age:.2f} s old",
-            hint="Send again and again, each time with rospy.Time.now().",
+            hint="Send in a loop, each time with rospy.Time.now().",
         )
 
 
@@ -87,14 +87,14 @@ def test_it_still_circles_after_a_minute(world, run_node):
     heard = watch.of_frame("carrot1")
     expect(
         len(heard) >= 5,
-        f"{len(heard)} transforms were heard in the 5 s after the first minute",
+        f"{len(heard)} transforms were received in the 5 s after the first minute",
         hint="Send in a loop that ends with the node: while not rospy.is_shutdown().",
     )
     stamps = [transform.stamp for transform in heard]
     expect(
         all(a < b for a, b in pairwise(stamps)),
         "two transforms carry the same time",
-        hint="Ask for rospy.Time.now() anew for each transform.",
+        hint="Call rospy.Time.now() again for each transform.",
     )
     for transform in heard:
         expect_close(
@@ -103,11 +103,11 @@ def test_it_still_circles_after_a_minute(world, run_node):
             tolerance=0.05,
             what="the distance of carrot1 from the turtle",
             unit="m",
-            hint="The distance must not grow with the time; only the angle does.",
+            hint="Only the angle may grow with the time, not the distance.",
         )
     ways = [math.dist(a.translation, b.translation) for a, b in pairwise(heard)]
     expect(
         min(ways) > 1e-4,
         "carrot1 stands still",
-        hint="The angle must grow with the time, without end.",
+        hint="Let the angle grow with the time, for ever.",
     )

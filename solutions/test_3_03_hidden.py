@@ -21,7 +21,7 @@ def chase(sim, run_node):
     expect(
         sim.run_until(lambda: "/turtle2/pose" in sim.topics() and sim.latest("/turtle2/pose"), 2.0),
         "there is no turtle2 after 2 s",
-        hint='Wait for the service "spawn", then call it.',
+        hint="Wait for the service spawn, then call it with 4, 2, 0 and 'turtle2'.",
     )
     return sim
 
@@ -37,13 +37,13 @@ def test_it_follows_to_the_right(chase, rng):
     expect(
         farthest < 2.5,
         f"turtle2 falls behind: it was {farthest:.1f} m away from turtle1",
-        hint="Look up at each turn of the loop, with rospy.Time(0), and send the command at once.",
+        hint="Look turtle1 up each time round the loop, with rospy.Time(0), and send the command at once.",
     )
     angle = usual_bearing(seen)
     expect(
         angle < 0.8,
         f"turtle2 looks up to {angle:.1f} rad past the turtle that it follows",
-        hint="Turn by four times the angle atan2(y, x): left and right alike.",
+        hint="Make the turn rate four times the angle atan2(y, x), for left and right alike.",
     )
 
 
@@ -58,7 +58,7 @@ def test_it_comes_after_a_jump(chase, rng):
         expect(
             distance < 1.0,
             f"in the 15 s after a jump of turtle1, turtle2 came no nearer than {distance:.1f} m",
-            hint="Ask tf for the latest transform at each turn of the loop, and never stop asking.",
+            hint="Ask tf for the latest transform each time round the loop, for as long as the node runs.",
         )
 
 

@@ -24,7 +24,7 @@ def chase(sim, run_node):
     expect(
         "/turtle2/pose" in sim.topics() and sim.latest("/turtle2/pose"),
         "there is no turtle2 after 4 s",
-        hint="Spawn it as in exercise 3.3.",
+        hint="Spawn it as in exercise 3.3: call the service spawn with 4, 2, 0 and 'turtle2'.",
     )
     come_near(sim, 1.0, timeout=20.0)
     come_to_rest(sim, timeout=10.0)
@@ -46,14 +46,14 @@ def test_it_heads_for_a_place_that_turtle1_has_left(chase, rng):
     expect(
         abs(angle) < 0.5,
         f"turtle2 looks {abs(angle):.1f} rad past the place where turtle1 was 2 s ago",
-        hint="turtle2 must be taken where it is now, and turtle1 where it was 2 s ago.",
+        hint="Look up turtle2 where it is now, and turtle1 where it was 2 s ago.",
     )
     chase.run(2.25)
     angle = bearing(chase.latest("/turtle2/pose"), chase.latest("/turtle1/pose"))
     expect(
         abs(angle) < 0.5,
         f"4 s after the last jump turtle2 still looks {abs(angle):.1f} rad past turtle1",
-        hint="Two seconds late, it must turn to the place that turtle1 jumped to.",
+        hint="Two seconds after the jump it must turn to the place that turtle1 jumped to.",
     )
 
 
@@ -68,13 +68,13 @@ def test_it_stays_two_seconds_late(chase, rng):
     expect(
         late is not None,
         "turtle2 did not set out within 8 s after turtle1 had jumped away",
-        hint="Compute now and past at each turn of the loop.",
+        hint="Compute now and past each time round the loop.",
     )
     expect_close(
         late,
         2.2,
         tolerance=0.4,
-        what="the time after which turtle2 follows",
+        what="the delay with which turtle2 follows",
         unit="s",
-        hint="Let past be now - rospy.Duration(2.0), with both computed anew at each turn.",
+        hint="Set past to now - rospy.Duration(2.0), and compute both again each time round the loop.",
     )

@@ -11,7 +11,7 @@ from oracles.pursuit import ahead_of, seen_from
 
 @pytest.fixture
 def world(sim):
-    """Two turtles that nobody broadcasts yet."""
+    """Two turtles that are not broadcast yet."""
     sim.rosrun("turtlesim", "turtlesim_node")
     sim.call("/spawn", 3.0, 7.0, 2.0, "turtle2")
     sim.run(0.1)
@@ -29,8 +29,8 @@ def last_place(sim):
     """What was published last on /place."""
     expect(
         "/place" in sim.topics() and sim.latest("/place"),
-        "nothing was heard on /place",
-        hint="Publish what look() gives; None only while tf cannot answer.",
+        "nothing was received on /place",
+        hint="look() must return what the lookup returns, and None only while tf cannot answer.",
     )
     point = sim.latest("/place")
     return (point.x, point.y, point.z)
@@ -39,13 +39,13 @@ def last_place(sim):
 @points(1)
 @pytest.mark.parametrize("script", ["listener_1.py", "listener_2.py"])
 def test_frames_come_late(world, run_node, rng, script):
-    """Started before anybody broadcasts, a listener waits, and then publishes the right place."""
+    """Started before the turtles are broadcast, a listener waits, and then publishes the right place."""
     node = run_node(script)
     world.run(1.5)
     expect(
         node.alive,
-        f"{script} ended while tf did not know the turtles yet; a lookup that fails belongs in try",
-        hint="After except tf.Exception, give None: the loop sleeps and asks again.",
+        f"{script} ended while tf did not know the turtles yet; a lookup that may fail belongs in a try block",
+        hint="In the block of except tf.Exception, return None: the loop sleeps and asks again.",
     )
     for turtle in ("turtle1", "turtle2"):
         broadcast_turtle(world, turtle)
@@ -59,7 +59,7 @@ def test_frames_come_late(world, run_node, rng, script):
         what=f"the place that {script} published",
         unit="m",
         frame="turtle2",
-        hint="Look up turtle1, seen from turtle2, at each turn of the loop.",
+        hint="Look up turtle1, seen from turtle2, each time round the loop.",
     )
 
 
@@ -82,7 +82,7 @@ def test_listener_3_remembers_a_place_that_was_left(world, run_node, rng):
             what=f"the place of turtle1 that was published {name}",
             unit="m",
             frame="world",
-            hint="The time of the lookup is rospy.Time.now() - rospy.Duration(5.0), at each turn.",
+            hint="The time of the lookup is rospy.Time.now() - rospy.Duration(5.0), computed again in every call.",
         )
 
 
@@ -97,8 +97,8 @@ def test_the_bridge_follows_a_jump(world, run_node, rng):
         world.run(1.0)
         expect(
             "/carrot_in_world" in world.topics() and world.latest("/carrot_in_world"),
-            "nothing was heard on /carrot_in_world",
-            hint="Catch tf.Exception, and try again at the next turn of the loop.",
+            "nothing was received on /carrot_in_world",
+            hint="Catch tf.Exception, and try again the next time round the loop.",
         )
         point = world.latest("/carrot_in_world").point
         expect_close(
@@ -108,5 +108,5 @@ def test_the_bridge_follows_a_jump(world, run_node, rng):
             what="the point that was published",
             unit="m",
             frame="world",
-            hint="Let tf turn and move the point: transformPoint('world', point).",
+            hint="Let tf rotate and translate the point: transformPoint('world', point).",
         )

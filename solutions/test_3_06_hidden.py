@@ -18,9 +18,9 @@ def signpost(exercise, submission, package_path):
 @points(1)
 @after("test_the_signpost_is_mended")
 def test_the_signpost_is_the_one_that_was_meant(signpost):
-    """Mended, the signpost has the sizes and places that its author had in mind."""
+    """Once it is fixed, the signpost has the sizes and positions that its author had in mind."""
     pole = only_visual(signpost, "pole")
-    hint = "Mend what is wrong, and keep every number that is right."
+    hint = "Fix what is wrong, and keep every number that is right."
     expect_close(
         (getattr(pole.geometry, "radius", 0.0), getattr(pole.geometry, "length", 0.0)),
         (0.02, 0.8),
@@ -33,7 +33,7 @@ def test_the_signpost_is_the_one_that_was_meant(signpost):
         (*pole.origin.xyz, *signpost.joint_above("pole").origin.xyz),
         (0.0, 0.0, 0.4, 0.0, 0.0, 0.1),
         tolerance=1e-6,
-        what="the middle of the pole, and the place of its frame",
+        what="the middle of the pole, and the position of its frame",
         unit="m",
         hint=hint,
     )
@@ -48,14 +48,14 @@ def test_the_signpost_is_the_one_that_was_meant(signpost):
             tolerance=1e-6,
             what=f"the size of the box of {link}, and its middle",
             unit="m",
-            hint="A line that is wrong is to be mended, not to be deleted.",
+            hint="Correct the line that is wrong; do not delete it.",
         )
     nail = signpost.joint_above("sign").origin
     expect_close(
         nail.xyz,
         (0.0, 0.0, 0.75),
         tolerance=2e-3,
-        what="the place of the nail on the pole",
+        what="the position of the nail on the pole",
         unit="m",
         hint=hint,
     )
@@ -65,5 +65,5 @@ def test_the_signpost_is_the_one_that_was_meant(signpost):
         tolerance=2e-3,
         what="how far the sign is from a quarter turn about z",
         unit="rad",
-        hint="The sign is turned by a quarter turn about z: rpy is in radians.",
+        hint="The sign is rotated by a quarter turn about z, and rpy is in radians.",
     )

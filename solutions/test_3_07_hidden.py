@@ -22,7 +22,7 @@ def moved(sim, exercise, submission, package_path):
 @points(1)
 @after("test_the_hip_turns_about_z")
 def test_it_turns_all_the_way_round(moved, rng):
-    """Turned by several whole turns and a bit, the torso stands as after the bit alone, and the base never moves."""
+    """After several whole turns and a bit, the torso is oriented as after the bit alone, and the base never moves."""
     moved.move(hip=0.0)
     _, straight = moved.pose("torso")
     base = moved.pose("base_link")
@@ -34,11 +34,15 @@ def test_it_turns_all_the_way_round(moved, rng):
             apart(turned, times(about_z(bit), straight)),
             0.0,
             tolerance=1e-4,
-            what=f"the difference to a turn of {bit:.2f} rad, after {abs(turns)} whole turns",
+            what=f"the difference from a rotation by {bit:.2f} rad, after {abs(turns)} whole turns",
             unit="rad",
         )
     expect_close(
-        moved.pose("base_link")[0], base[0], tolerance=1e-9, what="the place of base_link", unit="m"
+        moved.pose("base_link")[0],
+        base[0],
+        tolerance=1e-9,
+        what="the position of base_link",
+        unit="m",
     )
     lower, upper = sorted(moved.ends("base_link"), key=lambda end: end[2])
     expect_close(
@@ -47,5 +51,5 @@ def test_it_turns_all_the_way_round(moved, rng):
         tolerance=1e-4,
         what="the heights of the base's lower and upper end",
         unit="m",
-        hint="The base is the one of the example: 0.05 m high, standing on the ground.",
+        hint="The base must be the one of the example: 0.05 m high, and standing on the ground.",
     )

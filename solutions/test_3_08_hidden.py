@@ -19,14 +19,14 @@ def robots(exercise, submission, package_path):
 @points(1)
 @after("test_the_joints_carry_the_arm")
 def test_nothing_stops_the_joints(sim, robots):
-    """Both joints turn round and round, and the torso stays upright under the arm."""
+    """Both joints turn without limits, and the torso stays upright under the arm."""
     robot = robots.robot(ROBOT)
     for name in ("hip", "shoulder"):
         kind = robot.joints[name].type
         expect(
             kind is JointType.CONTINUOUS,
             f"the joint {name} is {kind.value}: it stops at its limits",
-            hint='A joint that turns round and round has type="continuous".',
+            hint='A joint that turns without limits has type="continuous".',
         )
     moved = MovedRobot(sim, robot, robots.text(ROBOT))
     moved.move(hip=4.0, shoulder=-4.0)
@@ -38,5 +38,5 @@ def test_nothing_stops_the_joints(sim, robots):
         what="the lower and the upper end of the torso",
         unit="m",
         frame="world",
-        hint="The torso is the one of exercise 3.7: 0.5 m long, standing on the base.",
+        hint="The torso must be the one of exercise 3.7: 0.5 m long, and standing on the base.",
     )

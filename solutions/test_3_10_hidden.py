@@ -42,8 +42,8 @@ def test_the_lower_arm_goes_where_the_angles_say(sim, roslaunch, robots, rng):
         sim.run(1.0)
         arm.expect_at(
             goals,
-            when="on a way of two points",
-            hint="position_controllers/JointTrajectoryController passes each point at its time.",
+            when="on a trajectory of two points",
+            hint="position_controllers/JointTrajectoryController reaches each point at its time.",
         )
         visual = only_visual(robots.robot(ROBOT), "lower_arm")
         expect_close(
@@ -53,27 +53,27 @@ def test_the_lower_arm_goes_where_the_angles_say(sim, roslaunch, robots, rng):
             what="the middle of the lower arm in the world",
             unit="m",
             frame="world",
-            hint="Only its motors move the arm: nothing else holds it, stops it, or pushes it.",
+            hint="Only its motors should move the arm: does anything else hold it, stop it, or push it?",
         )
 
 
 @points(1)
 @after("test_the_node_sends_random_trajectories")
 def test_the_node_waits_for_your_robot(sim, roslaunch, run_node):
-    """Started before the robot, the node waits until its controller listens; then it drives the arm."""
+    """Started before the robot, the node waits until the controller subscribes; then it drives the arm."""
     node = run_node(SCRIPT)
     sim.run(2.0)
     expect(
         node.alive,
-        "the node ended while no controller listened yet",
-        hint="Wait for it: get_num_connections() of a publisher tells how many listen.",
+        "the node ended before a controller had subscribed",
+        hint="Wait for the controller: get_num_connections() of a publisher returns the number of subscribers.",
     )
     sent_early = (
         sim.latest("/arm_controller/command") if "/arm_controller/command" in sim.topics() else None
     )
     expect(
         sent_early is None,
-        "the node sent a trajectory before anybody listened: nobody will ever get it",
+        "the node sent a trajectory before the controller had subscribed: that trajectory is lost",
         hint="Wait until get_num_connections() of the publisher is not 0, with rospy.sleep in the loop.",
     )
     arm = started_arm(sim, roslaunch, LAUNCH, model=MODEL, joints=JOINTS)
@@ -81,6 +81,6 @@ def test_the_node_waits_for_your_robot(sim, roslaunch, run_node):
     expect(
         sent,
         "the node sends nothing to your robot",
-        hint="As soon as somebody listens the first one is due, and then one every 3 s.",
+        hint="Send the first trajectory as soon as the controller subscribes, and then one every 3 s.",
     )
     expect(node.alive, "the node ended", hint="Loop while not rospy.is_shutdown().")

@@ -22,7 +22,7 @@ def robot(sim, exercise, submission, package_path):
 @points(1)
 @after("test_it_drives_straight_on", "test_left_is_left")
 def test_odometry_follows_a_curve(sim, robot):
-    """On a curve to the right the robot turns as commanded, and /odom and tf say where it went."""
+    """On a curve to the right the robot turns as commanded, and /odom and tf report where it went."""
     sim.run(0.2)
     begun = _odometry(sim)
     start, axle = robot.stand, robot.axle(*WHEELS)
@@ -32,7 +32,7 @@ def test_odometry_follows_a_curve(sim, robot):
         -0.75,
         tolerance=0.03,
         what="how far it turned in 1.5 s at -0.5 rad/s",
-        hint="It drives and turns at once: does one of the wheels slip, and is <wheelSeparation> their distance?",
+        hint="The robot drives and turns at once. Does one of its wheels slip? Is <wheelSeparation> the distance between them?",
     )
     robot.command(0.0, 0.0)
     sim.run(0.3)
@@ -44,27 +44,27 @@ def test_odometry_follows_a_curve(sim, robot):
         (told.x, told.y),
         (there.x, there.y),
         tolerance=0.05,
-        what="how far /odom says that it came, ahead and to the left",
+        what="how far the robot came ahead and to the left, according to /odom",
         unit="m",
-        hint="Odometry from the wheels believes <wheelDiameter> and <wheelSeparation>.",
+        hint="Odometry from the wheels is computed with <wheelDiameter> and <wheelSeparation>.",
     )
     expect_close_angle(
         told.heading,
         there.heading,
         tolerance=math.radians(8),
-        what="how far /odom says that it turned",
-        hint="Odometry from the wheels believes <wheelSeparation>.",
+        what="how far the robot turned, according to /odom",
+        hint="Odometry from the wheels is computed with <wheelSeparation>.",
     )
     frame = sim.latest("/odom").child_frame_id
     expect(
         sim.tf.can_transform("odom", frame),
         f"tf does not know {frame}, seen from odom",
-        hint="<odometryFrame> and <robotBaseFrame> say which frames the plugin broadcasts, <publishTf> whether it does.",
+        hint="<odometryFrame> and <robotBaseFrame> set which frames the plugin broadcasts, and <publishTf> whether it does.",
     )
 
 
 def _odometry(sim):
-    """Where /odom says that the robot is."""
+    """Where the robot is, according to /odom."""
     pose = sim.wait_for_message("/odom", 1.0).pose.pose
     q = pose.orientation
     return Stand(pose.position.x, pose.position.y, heading_of((q.x, q.y, q.z, q.w)))

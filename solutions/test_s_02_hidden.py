@@ -21,7 +21,7 @@ def robots(exercise, submission, package_path):
 @points(1)
 @after("test_it_falls_and_comes_to_rest")
 def test_it_stands_still(sim, robots, rng):
-    """Wherever it is put down, the car stays there, with most of its weight on the wheels."""
+    """Wherever the car is put down it stays, with most of its weight on the wheels."""
     where = (rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0), 0.02)
     yaw = rng.uniform(-3.0, 3.0)
     model = spawned_robot(sim, robots.text(ROBOT), name=CAR, xyz=where, rpy=(0.0, 0.0, yaw)).model
@@ -35,25 +35,25 @@ def test_it_stands_still(sim, robots, rng):
         ),
         (15.4, 9.1),
         tolerance=0.4,
-        what="what the ground carries on both wheels, and on the ball,",
+        what="the force of the ground on both wheels together, and on the ball,",
         unit="N",
-        hint="Masses, and where they are, decide that: compare them with the table of the exercise.",
+        hint="It depends on the masses and on their positions: compare them with the table in the exercise.",
     )
     sim.run(1.0)
     expect_close(
         [1000 * (now - then) for now, then in zip(model.pose.translation, before, strict=True)],
         (0.0, 0.0, 0.0),
         tolerance=0.1,
-        what="how far the car creeps in a second, though nobody drives it,",
+        what="how far the car creeps in a second without a command",
         unit="mm",
-        hint="Look at inertias and at the heights of wheels and ball.",
+        hint="Look at the inertias, and at the heights of wheels and ball.",
     )
 
 
 @points(1)
 @after("test_it_drives_straight")
 def test_it_turns_as_it_is_told(sim, robots, rng):
-    """Commanded to turn, the car does so: to the right side and at the right rate, on the spot and in a curve."""
+    """Commanded to turn, the car turns in the right direction and at the right rate, on the spot and in a curve."""
     model = spawned_robot(sim, robots.text(ROBOT), name=CAR).model
     sim.run(0.2)
     rate = rng.choice((-1.0, 1.0)) * rng.uniform(0.5, 0.7)
@@ -61,22 +61,22 @@ def test_it_turns_as_it_is_told(sim, robots, rng):
         turning(sim, model, speed=0.3, rate=rate),
         rate,
         tolerance=0.25 * abs(rate),
-        what=f"how fast the car turns in a curve, commanded to drive at 0.3 m/s and to turn by {rate:.2f} rad/s,",
+        what=f"how fast the car turns in a curve, commanded to drive at 0.3 m/s and to turn at {rate:.2f} rad/s,",
         unit="rad/s",
-        hint="To the other side: leftJoint is the wheel with the positive y. Hardly at all: the ball grips the ground; "
-        "take its friction away (mu1 and mu2 of front_wheel).",
+        hint="If it turns to the other side: leftJoint is the wheel with the positive y. If it hardly turns: the ball "
+        "grips the ground, so take its friction away (mu1 and mu2 of front_wheel).",
     )
-    # In a curve a tyre of 5 cm stands now on one edge, now on the other. On the spot, from rest, that makes no difference.
+    # In a curve a tyre of 5 cm rests now on one edge, now on the other. On the spot, from rest, that makes no difference.
     sim.gazebo.reset_world()
     sim.run(0.1)
     expect_close(
         turning(sim, model, speed=0.0, rate=-rate),
         -rate,
         tolerance=0.05 * abs(rate),
-        what=f"how fast the car turns on the spot, commanded to turn by {-rate:.2f} rad/s,",
+        what=f"how fast the car turns on the spot, commanded to turn at {-rate:.2f} rad/s,",
         unit="rad/s",
-        hint="wheelSeparation is the distance of the middles of the two wheels. If the car is a little too slow, the "
-        "ball may still drag: mu1 and mu2 of front_wheel are 0.",
+        hint="wheelSeparation is the distance between the middles of the two wheels. If the car is a little too slow, "
+        "the ball may still drag: set mu1 and mu2 of front_wheel to 0.",
     )
 
 
@@ -93,6 +93,6 @@ def turning(sim, model, *, speed, rate):
 
 
 def heading(model):
-    """Where a car that stands upright looks [rad]."""
+    """The heading of a car that stands upright [rad]."""
     _, _, z, w = model.pose.rotation
     return 2 * math.atan2(z, w)

@@ -42,7 +42,7 @@ class DrivenArm:
                     f"the robot in the world has no joint {name}",
                     expected=f"a joint named {name}",
                     actual=", ".join(sorted(self.model.joints)) or "no joint",
-                    hint="A link without mass is left out of the world, and its joint with it.",
+                    hint="Gazebo leaves out a link without mass if its joint can move, and the joint with it.",
                 )
         return tuple(self.model.joint(name).position for name in joints)
 
@@ -110,9 +110,9 @@ def started_arm(
     if model not in gazebo.spawned:
         others = ", ".join(name for name in gazebo.spawned if name != "ground_plane") or "nothing"
         failure = CheckFailed(
-            f"{model} is not in the world; beside the ground there is: {others}",
-            hint="spawn_model needs -urdf, -param with the name of the parameter, and -model with the name in the "
-            "world.",
+            f"{model} is not in the world; apart from the ground it contains: {others}",
+            hint="spawn_model needs three arguments: -urdf, -param with the name of the parameter, and -model with the "
+            "name in the world.",
         )
         raise with_complaint(failure, sim)
     moved = _require_controller(sim)
@@ -132,9 +132,9 @@ def _require_controller(sim: Simulation) -> tuple[str, ...]:
     """The joints of the controller, sorted."""
     if _LIST not in sim.services():
         failure = CheckFailed(
-            "nothing in the world takes controllers: there is no service /controller_manager/list_controllers",
-            hint="The plugin libgazebo_ros_control.so in the URDF brings the controller manager. Leave its "
-            "<robotNamespace> out.",
+            "there is no controller manager: the service /controller_manager/list_controllers does not exist",
+            hint="The plugin libgazebo_ros_control.so in the URDF starts the controller manager. Do not give it a "
+            "<robotNamespace>.",
         )
         raise with_complaint(failure, sim)
     found = {one.name: one for one in sim.call(_LIST).controller}
@@ -144,8 +144,8 @@ def _require_controller(sim: Simulation) -> tuple[str, ...]:
             f"the controller {CONTROLLER} does not run",
             expected=f"{CONTROLLER} (running)",
             actual=states or "no controller",
-            hint="Its name in the YAML file and in the args of the spawner must be the same; each of its joints needs "
-            "a transmission, with the interface that its type wants.",
+            hint="Its name in the YAML file and in the args of the spawner must be the same, and each of its joints needs "
+            "a transmission with the interface that the type of the controller requires.",
         )
         raise with_complaint(failure, sim)
     claims = found[CONTROLLER].claimed_resources

@@ -176,11 +176,10 @@ def expect_ball(
         return
     found = "; ".join(f"radius {r:.3g} m at {x:.3g} {y:.3g} {z:.3g}" for r, x, y, z in balls)
     raise CheckFailed(
-        "the ball that others touch is not the ball that is seen",
+        "the collision shape of the ball is not where its visual is",
         expected=f"radius {radius:g} m at {' '.join(f'{c:g}' for c in centre)}, in the frame {link}",
         actual=found or "no ball on the floor",
-        hint="What touches the floor is the shape in <collision>; what is seen is the one in <visual>. Give both the "
-        "same <origin>.",
+        hint="The shape in <collision> touches the floor, the one in <visual> is drawn. Give both the same <origin>.",
     )
 
 

@@ -32,12 +32,12 @@ def expect_frame(
     swapped = [one for one in heard if (one.parent, one.child) == (child, parent)]
     expect(
         not swapped,
-        f"parent and child are swapped: {parent} hangs on {child}",
+        f"parent and child are swapped: {parent} is the child of {child}",
         hint=f"The child comes before the parent: {SEND}.",
     )
     expect(
         own,
-        f"no transform of {child} was heard",
+        f"no transform of {child} was received",
         hint=f"Broadcast it in a loop: {SEND}.",
     )
     pairs = sorted({(transform.parent, transform.child) for transform in own})

@@ -120,11 +120,11 @@ def expect_to_follow(seen: SeenRobot, text: str, link: str, **angles: float) -> 
     found_place, found_turn = seen.pose(link)
     off = math.dist(place, found_place), apart(turn, found_turn)
     if max(off) > _NEAR:
-        told = ", ".join(f"{joint} {angle:g} rad" for joint, angle in angles.items())
+        told = ", ".join(f"{joint} at {angle:g} rad" for joint, angle in angles.items())
         raise CheckFailed(
-            f"tf has {link} elsewhere than your file puts it with {told}: {off[0]:.3f} m off, {off[1]:.3f} rad turned",
-            hint="The sliders speak on /joint_states, and robot_state_publisher listens there. Does the launch file "
-            "load your robot, and do both nodes take these names?",
+            f"with {told} tf has {link} elsewhere than your file puts it: {off[0]:.3f} m and {off[1]:.3f} rad away",
+            hint="The node with the sliders publishes on /joint_states, and robot_state_publisher subscribes to it. Does "
+            "the launch file load your robot, and leave the names of topics and parameters as they are?",
         )
 
 
@@ -140,8 +140,8 @@ def require_joint(robot: Robot, name: str) -> None:
             f"no joint {name} can be moved",
             expected=f"a joint named {name} that turns",
             actual=f"joints that move: {', '.join(moving) or 'none'}",
-            hint='A fixed joint stays; one that turns round and round has type="continuous". '
-            "Names count to the letter, capitals too.",
+            hint='A fixed joint does not move; one that turns without limits has type="continuous". '
+            "Every letter of a name counts, capitals too.",
         )
 
 

@@ -74,13 +74,13 @@ def expect_sound(message: Any, rules: Rules) -> dict[str, float]:
             "a trajectory names other joints than the robot has",
             expected=", ".join(rules.limits),
             actual=", ".join(names) or "no joint",
-            hint="joint_names has each joint of the controller once, in any order.",
+            hint="joint_names must list each joint of the controller once, in any order.",
         )
     if len(message.points) < 2:
         raise CheckFailed(
             f"a trajectory has {len(message.points)} point{'s' * (len(message.points) != 1)}",
             expected="two points or more",
-            hint="points is a list: append a JointTrajectoryPoint for each place.",
+            hint="points is a list: append one JointTrajectoryPoint for each point of the trajectory.",
         )
     before = 0.0
     for number, point in enumerate(message.points):
@@ -97,7 +97,7 @@ def _expect_in_time(times: list[float], every: float) -> None:
             tolerance=_LATE,
             what="the time from one trajectory to the next",
             unit="s",
-            hint=f"rospy.Rate counts in Hz: one in {every:g} s is 1/{every:g} Hz. rospy.sleep counts in seconds.",
+            hint=f"rospy.Rate takes a frequency: once in {every:g} s is 1/{every:g} Hz. rospy.sleep takes seconds.",
         )
 
 
@@ -108,15 +108,15 @@ def _expect_later(point: Any, number: int, before: float, longest: float) -> flo
             f"points[{number}] of a trajectory comes too early",
             expected=f"later than {before:g} s",
             actual=f"{time:g} s",
-            hint="time_from_start counts from the start of the whole trajectory: greater than 0 for the first point, "
-            "and for each one greater than for the one before. It is a rospy.Duration.",
+            hint="time_from_start is measured from the start of the whole trajectory. It must be greater than 0 for the "
+            "first point, and for each further one greater than for the one before. It is a rospy.Duration.",
         )
     if time > longest + _SLACK:
         raise CheckFailed(
             f"points[{number}] of a trajectory comes too late",
             expected=f"at most {longest:g} s after the start",
             actual=f"{time:g} s",
-            hint="The arm must be there before the next trajectory comes.",
+            hint="The arm must have arrived before the next trajectory comes.",
         )
     return time
 
@@ -125,7 +125,7 @@ def _expect_within(point: Any, number: int, names: list[str], rules: Rules) -> N
     if len(point.positions) != len(names):
         raise CheckFailed(
             f"points[{number}] of a trajectory has {len(point.positions)} positions for {len(names)} joints",
-            hint="positions has one number for each name in joint_names.",
+            hint="positions needs one number for each name in joint_names.",
         )
     for name, position in zip(names, point.positions, strict=True):
         low, high = rules.limits[name]
@@ -146,10 +146,9 @@ def _expect_done(arm: DrivenArm, end: Mapping[str, float]) -> None:
             arm.at(*joints),
             [end[name] for name in joints],
             tolerance=0.01,
-            what=f"where {', '.join(joints)} are after a trajectory",
+            what=f"the angles of {', '.join(joints)} after a trajectory",
             unit="rad",
-            hint="A trajectory that the controller refuses moves nothing, and one that comes too soon replaces the one "
-            "before it.",
+            hint="The controller may have refused the trajectory, or the next one came too soon and replaced it.",
         )
     except CheckFailed as failure:
         raise with_complaint(failure, arm.sim) from None

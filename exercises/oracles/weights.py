@@ -31,7 +31,7 @@ def expect_cylinder_weight(
     inertial = link_of(robot, link).inertial
     if inertial is None:
         raise CheckFailed(
-            f"{link} has no mass", hint="Mass and inertia stand in <inertial>, in the link."
+            f"{link} has no mass", hint="Mass and inertia belong in <inertial>, inside the link."
         )
     expect_close(
         inertial.mass,
@@ -39,7 +39,7 @@ def expect_cylinder_weight(
         tolerance=1e-6,
         what=f"the mass of {link}",
         unit="kg",
-        hint='The text says how heavy each link is: <mass value="..."/>.',
+        hint='The text gives the mass of each link: <mass value="..."/>.',
     )
     expect_close(
         inertial.origin.xyz,
@@ -48,7 +48,7 @@ def expect_cylinder_weight(
         what=f"the centre of mass of {link}",
         unit="m",
         frame=link,
-        hint="It is in the middle of the cylinder: half its length along z. <origin> in <inertial> says so.",
+        hint="It is in the middle of the cylinder, half its length along z: set it with <origin> in <inertial>.",
     )
     across = mass * (3 * radius**2 + length**2) / 12
     along = mass * radius**2 / 2
@@ -63,7 +63,7 @@ def expect_cylinder_weight(
                 tolerance=max(slack, _SLACK * ours[column]),
                 what=f"i{'xyz'[row]}{'xyz'[column]} of {link}",
                 unit="kg m^2",
-                hint="Across the length it is m (3 r^2 + h^2) / 12, about the length m r^2 / 2.",
+                hint="About x and y it is m (3 r^2 + h^2) / 12, about z, along the length, m r^2 / 2.",
             )
 
 
@@ -78,13 +78,14 @@ def expect_collision_as_visual(robot: Robot, link: str) -> None:
     if len(collisions) != 1:
         raise CheckFailed(
             f"{link} has {len(collisions)} collision shapes, not one",
-            hint="<collision> holds <geometry> and <origin>, as <visual> does.",
+            hint="Write one <collision> with <geometry> and <origin>, like <visual>.",
         )
     (collision,) = collisions
     seen, felt = visual.geometry, collision.geometry
     if not isinstance(felt, Cylinder) or not isinstance(seen, Cylinder):
         raise CheckFailed(
-            f"{link} is not touched as a cylinder", hint="Take the shape of its visual."
+            f"the collision shape of {link} is not a cylinder",
+            hint="Use the same shape as in its visual.",
         )
     expect_close(
         (felt.length, felt.radius),
@@ -92,7 +93,7 @@ def expect_collision_as_visual(robot: Robot, link: str) -> None:
         tolerance=1e-6,
         what=f"length and radius of the collision shape of {link}",
         unit="m",
-        hint="It is the cylinder of the visual.",
+        hint="It is the same cylinder as in the visual.",
     )
     _expect_place(collision, visual.origin.xyz, link)
 
@@ -105,7 +106,7 @@ def _expect_place(collision: Collision, xyz: tuple[float, float, float], link: s
         what=f"the middle of the collision shape of {link}",
         unit="m",
         frame=link,
-        hint="It is where the visual is: the same <origin>.",
+        hint="It is where the visual is: give both the same <origin>.",
     )
 
 

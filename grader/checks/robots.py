@@ -96,7 +96,7 @@ def link_of(robot: Robot, name: str) -> Link:
             f"the robot has no link {name}",
             expected=f"a link named {name}",
             actual=", ".join(sorted(robot.links)) or "no link",
-            hint="Names count to the letter, capitals too.",
+            hint="Every letter of a name counts, capitals too.",
         )
     return robot.links[name]
 
@@ -127,11 +127,11 @@ def cylinder_of(robot: Robot, link: str) -> tuple[Visual, Cylinder]:
     if not found:
         raise CheckFailed(
             f"{link} is a {type(visuals[0].geometry).__name__.lower()}, not a cylinder",
-            hint="Inside <geometry> stands <cylinder length=... radius=.../>.",
+            hint="Write <cylinder length=... radius=.../> inside <geometry>.",
         )
     if len(found) > 1:
         raise CheckFailed(
-            f"{link} is {len(found)} cylinders", hint="Leave the one that the text asks for."
+            f"{link} is {len(found)} cylinders", hint="Keep only the one that the text asks for."
         )
     return found[0]
 
@@ -148,7 +148,7 @@ def expect_chain(robot: Robot, *links: str) -> None:
         robot.root,
         links[0],
         what="the root of the tree",
-        hint="The root is no joint's child. Are parent and child swapped somewhere?",
+        hint="The root is the link that is not the child of any joint. Are parent and child swapped somewhere?",
     )
     for parent, link in itertools.pairwise(links):
         link_of(robot, link)
@@ -156,8 +156,8 @@ def expect_chain(robot: Robot, *links: str) -> None:
         expect_equal(
             parent if parent in holders else next(iter(holders), None),
             parent,
-            what=f"the link that {link} hangs on",
-            hint="A joint names the parent that holds, and the child that is held.",
+            what=f"the parent of {link}",
+            hint="In a joint, <parent> is the link that holds, and <child> the link that is held.",
         )
 
 
@@ -200,7 +200,7 @@ def expect_silver_cylinder(robot: Robot, link: str, *, length: float, radius: fl
         tolerance=1e-6,
         what=f"length and radius of {link}",
         unit="m",
-        hint="The length runs along z; the radius is half the width.",
+        hint="The length runs along z, and the radius is half the width.",
     )
     expect_close(
         visual.material.rgba if visual.material else None,
@@ -222,7 +222,7 @@ def slider_of(launched: Any) -> Any:
         if hasattr(program, "set_position"):
             return program
     raise CheckFailed(
-        "no slider is there",
+        "there is no slider",
         hint="joint_state_publisher shows sliders if the parameter use_gui is true: "
         '<param name="use_gui" value="true"/>.',
     )
@@ -232,8 +232,8 @@ def _visuals_of(robot: Robot, link: str) -> tuple[Visual, ...]:
     visuals = link_of(robot, link).visuals
     if not visuals:
         raise CheckFailed(
-            f"nothing is to be seen of {link}",
-            hint="A link is seen through its <visual>, which holds a <geometry>.",
+            f"{link} is invisible",
+            hint="To be visible, a link needs a <visual> with a <geometry> in it.",
         )
     return visuals
 

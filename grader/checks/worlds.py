@@ -49,8 +49,8 @@ def started_world(sim: Simulation, roslaunch: Callable[..., Any], file: str) -> 
     if not sim.has_world:
         raise CheckFailed(
             f"{file} starts no world",
-            hint="$(find gazebo_ros)/launch/empty_world.launch starts one; include that file. Its argument "
-            "world_name is the path of a .world file, with its ending.",
+            hint="Include $(find gazebo_ros)/launch/empty_world.launch, which starts one. Its argument world_name is "
+            "the path of a .world file, with its ending.",
         )
     sim.gazebo.unpause()
     return sim.gazebo
@@ -81,8 +81,8 @@ def spawned_robot(
     if not spawned.model.links:
         raise CheckFailed(
             f"{name} is empty in the world: none of its links is simulated",
-            hint="Gazebo takes a link only if it has a mass: give it an <inertial>. What hangs on a link that is "
-            "left out is left out with it.",
+            hint="Gazebo simulates a link only if it has a mass: give each link an <inertial>. A link that is left out "
+            "takes everything attached to it with it.",
         )
     return spawned
 

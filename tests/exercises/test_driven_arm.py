@@ -46,7 +46,7 @@ def test_what_is_missing_is_named(sim):
         start(sim, model="arm")
     with pytest.raises(CheckFailed, match="does not move elbow"):
         start(sim, "elbow")
-    with pytest.raises(CheckFailed, match="nothing in the world takes controllers"):
+    with pytest.raises(CheckFailed, match="there is no controller manager"):
         start(sim, file="spawn_gazebo_1.launch")
 
 

@@ -88,7 +88,7 @@ def test_a_ball_is_where_it_shall_be():
             radius=0.05,
             centre=(0.2, 0.0, -0.05),
         )
-        with pytest.raises(CheckFailed, match="not the ball that is seen") as caught:
+        with pytest.raises(CheckFailed, match="not where its visual is") as caught:
             expect_ball(
                 robot,
                 found.model,

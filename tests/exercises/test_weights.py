@@ -56,7 +56,7 @@ def test_each_wrong_number_is_named(old, new, says):
         (f"<collision>{SHAPE}</collision>" * 2, "2 collision shapes"),
         (f"<collision>{SHAPE}</collision>".replace("0.05", "0.06"), "Length and radius"),
         (f"<collision>{SHAPE}</collision>".replace("0 0 0.2", "0 0 0"), "iddle of the collision"),
-        ('<collision><geometry><box size="1 1 1"/></geometry></collision>', "not touched as a"),
+        ('<collision><geometry><box size="1 1 1"/></geometry></collision>', "is not a cylinder"),
     ],
 )
 def test_a_collision_shape_that_is_not_the_visual_is_named(collision, says):

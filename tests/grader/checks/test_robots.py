@@ -69,7 +69,7 @@ def test_links_and_visuals_that_are_missing(tmp_path):
     with pytest.raises(CheckFailed, match="no link pole"):
         link_of(robot, "pole")
     bare = files(tmp_path, '<robot name="r"><link name="post"/></robot>').robot("post.urdf")
-    with pytest.raises(CheckFailed, match="nothing is to be seen"):
+    with pytest.raises(CheckFailed, match="post is invisible"):
         only_visual(bare, "post")
 
 
@@ -108,7 +108,7 @@ def test_links_in_between_do_not_break_a_chain(tmp_path):
     expect_chain(robot, "world", "arm")
     expect_chain(robot, "world", "footprint", "arm")
     assert [joint.name for joint in joints_above(robot, "arm")] == ["j", "i"]
-    with pytest.raises(CheckFailed, match="he link that footprint hangs on"):
+    with pytest.raises(CheckFailed, match="he parent of footprint"):
         expect_chain(robot, "world", "arm", "footprint")
 
 
@@ -173,5 +173,5 @@ def test_the_sliders_of_a_launch():
     gui = SimpleNamespace(set_position=print)
     nodes = {"/a": SimpleNamespace(), "/b": SimpleNamespace(program=gui)}
     assert slider_of(SimpleNamespace(nodes=nodes)) is gui
-    with pytest.raises(CheckFailed, match="no slider is there"):
+    with pytest.raises(CheckFailed, match="there is no slider"):
         slider_of(SimpleNamespace(nodes={}))
