@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -38,6 +39,19 @@ def test_nothing_else_lies_in_the_trees(root: Path) -> None:
     slugs = [path.stem for path in source_paths(root)]
     keys = [exercise_key(exercise_id) for exercise_id in load_exercises(root)]
     assert [str(finding) for finding in nothing_else(root, slugs=slugs, keys=keys)] == []
+
+
+def test_an_exercise_says_what_to_read_first_and_what_a_machine_with_ros_needs(
+    root: Path, exercise: Exercise
+) -> None:
+    """In the lab the lectures lie in `lectures/`, beside the exercises."""
+    text = (root / "solutions" / f"{exercise.slug}.md").read_text(encoding="utf-8")
+    links = re.findall(r"\]\((lectures/\w+)\.ipynb#([^)]+)\)", text.split("**You will learn**")[0])
+    assert links
+    for lecture, heading in links:
+        headings = (root / f"{lecture}.md").read_text(encoding="utf-8").replace(" ", "-")
+        assert f"\n##-{heading}\n" in headings
+    assert "\n> **On a machine with ROS.** " in text
 
 
 def test_the_solution_passes_every_check(root: Path, exercise: Exercise) -> None:
