@@ -13,7 +13,6 @@ world files and models of Gazebo.
 from simkit.physics.contact import Contact, Owner, Side
 from simkit.physics.engine import GRAVITY, STEP_NS
 from simkit.physics.errors import ModelError, NoEngineError, PhysicsError, WorldFileError
-from simkit.physics.ground import GROUND, ground_plan
 from simkit.physics.joint import Mode, ModelJoint
 from simkit.physics.model import Model
 from simkit.physics.plan import (
@@ -27,6 +26,7 @@ from simkit.physics.plan import (
 )
 from simkit.physics.rays import MISS, Hits
 from simkit.physics.robot_plan import plan_robot
+from simkit.physics.sdf.planning import GROUND, ground_plan
 from simkit.physics.stability import LostModelError
 from simkit.physics.world import ORIGIN, World
 

@@ -7,15 +7,20 @@ from __future__ import annotations
 
 import enum
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from simkit.geometry import Transform, Vector
+from simkit.physics.errors import ModelError
 from simkit.physics.mesh import CollisionMesh
 from simkit.urdf.inertia import Body
-from simkit.urdf.model import Box, Cylinder, Sphere
+from simkit.urdf.model import Box, Cylinder, Pose, Sphere
 
+LARGEST = 1e9
+"""Larger numbers [m, kg, kg m^2] are no robot, and leave the range in which computers are exact."""
+FAR = 1e4
+"""Larger lengths [m] belong to no robot."""
 HERE = Transform()
 """The frame itself."""
 
@@ -152,3 +157,37 @@ class ModelPlan:
     """Whether nothing moves it."""
     notes: tuple[str, ...] = ()
     """What is not as the file says, and why."""
+
+
+def check_numbers(numbers: Iterable[float], what: str) -> None:
+    """See that numbers are numbers, and of this world.
+
+    Raises:
+        ModelError: One is infinite, not a number, or beyond all size.
+    """
+    for number in numbers:
+        if not math.isfinite(number) or abs(number) > LARGEST:
+            raise ModelError(f"{what} holds {number:g}, which no simulator can compute with")
+
+
+def check_lengths(lengths: Iterable[float], what: str) -> None:
+    """See that lengths [m] are such of a robot.
+
+    Raises:
+        ModelError: One is not a number, or longer than 10 km.
+    """
+    for length in lengths:
+        if not abs(length) <= FAR:
+            raise ModelError(
+                f"{what} has a length of {length:g} m, which no simulator can compute with"
+            )
+
+
+def check_pose(pose: Pose, what: str) -> None:
+    """See that a pose is one.
+
+    Raises:
+        ModelError: A number of it is NaN or too large.
+    """
+    check_lengths(pose.xyz, what)
+    check_numbers(pose.rpy, what)

@@ -10,11 +10,25 @@ import math
 from dataclasses import dataclass, field, replace
 
 from simkit.geometry import Transform
-from simkit.physics.bodies import body_of, check_numbers, check_pose, sound
 from simkit.physics.errors import ModelError
 from simkit.physics.gazebo_tags import GazeboTags, LinkTags, read_gazebo_tags
-from simkit.physics.lumps import Branch, RigidGroup, find_lumps, is_anchor
-from simkit.physics.plan import BodyPlan, JointKind, JointPlan, ModelPlan, Mount
+from simkit.physics.plan import (
+    BodyPlan,
+    JointKind,
+    JointPlan,
+    ModelPlan,
+    Mount,
+    check_numbers,
+    check_pose,
+)
+from simkit.physics.rigid_groups import (
+    Branch,
+    RigidGroup,
+    body_of,
+    find_rigid_groups,
+    is_anchor,
+    sound,
+)
 from simkit.physics.shapes import shapes_of, unit
 from simkit.urdf.model import Joint, JointType, Robot
 
@@ -56,13 +70,13 @@ class _Planner:
     def plan(self) -> ModelPlan:
         self.notes += self.tags.notes
         self._note_mimics()
-        lumps = find_lumps(self.robot, self.tags)
-        rest = {self.robot.root: Transform()}  # T_model_lump, with all joints at 0
+        groups = find_rigid_groups(self.robot, self.tags)
+        rest = {self.robot.root: Transform()}  # T_model_group, with all joints at 0
         branches: dict[str, tuple[RigidGroup, Branch]] = {}
-        for name, lump in lumps.items():
-            if name in rest and self._take(lump, rest[name], branches.get(name), lumps):
-                for branch in lump.branches:
-                    branches[branch.joint.child] = (lump, branch)
+        for name, group in groups.items():
+            if name in rest and self._take(group, rest[name], branches.get(name), groups):
+                for branch in group.branches:
+                    branches[branch.joint.child] = (group, branch)
                     inner = branch.frame @ branch.joint.origin.transform
                     rest[branch.joint.child] = rest[name] @ inner
         return ModelPlan(
@@ -76,37 +90,37 @@ class _Planner:
 
     def _take(
         self,
-        lump: RigidGroup,
+        group: RigidGroup,
         rest: Transform,
         above: tuple[RigidGroup, Branch] | None,
-        lumps: dict[str, RigidGroup],
+        groups: dict[str, RigidGroup],
     ) -> bool:
-        """Take in a lump and the joint above it; False if it is not simulated."""
-        if is_anchor(self.robot, lump.name):
-            if self.robot.links[lump.name].collisions or self.robot.links[lump.name].inertial:
+        """Take in a group and the joint above it; False if it is not simulated."""
+        if is_anchor(self.robot, group.name):
+            if self.robot.links[group.name].collisions or self.robot.links[group.name].inertial:
                 self.notes.append(
                     "the root link world is the world itself: its mass and shapes are left out"
                 )
             return True
-        body = body_of(lump)
+        body = body_of(group)
         if body is None:
-            self._note_lost(lump, lumps)
+            self._note_lost(group, groups)
             return False
-        body, note = sound(body, f"link {lump.name}")
-        shapes, notes = shapes_of(lump, self.tags)
+        body, note = sound(body, f"link {group.name}")
+        shapes, notes = shapes_of(group, self.tags)
         self.notes += [*filter(None, [note]), *notes]
-        tags = _merged_tags([self.tags.of_link(one.link.name) for one in lump.members])
-        self.bodies[lump.name] = BodyPlan(
-            name=lump.name,
+        tags = _merged_tags([self.tags.of_link(one.link.name) for one in group.members])
+        self.bodies[group.name] = BodyPlan(
+            name=group.name,
             body=body,
             shapes=shapes,
             gravity=tags.gravity is not False,
             self_collide=bool(tags.self_collide) or self.tags.self_collide,
             decay=min(tags.decay or 0.0, 1.0),
         )
-        for member in lump.members:
-            self.mounts[member.link.name] = Mount(body=lump.name, frame=member.frame)
-        joint = _free(lump.name, rest) if above is None else self._joint(*above, rest)
+        for member in group.members:
+            self.mounts[member.link.name] = Mount(body=group.name, frame=member.frame)
+        joint = _free(group.name, rest) if above is None else self._joint(*above, rest)
         self.joints[joint.name] = joint
         return True
 
@@ -163,15 +177,15 @@ class _Planner:
             lower, upper = upper, lower
         return (_bound(lower), _bound(upper), effort, velocity)
 
-    def _note_lost(self, lump: RigidGroup, lumps: dict[str, RigidGroup]) -> None:
-        lost = [member.link.name for member in lump.members]
-        waiting = [branch.joint.child for branch in lump.branches]
+    def _note_lost(self, group: RigidGroup, groups: dict[str, RigidGroup]) -> None:
+        lost = [member.link.name for member in group.members]
+        waiting = [branch.joint.child for branch in group.branches]
         while waiting:
             name = waiting.pop(0)
-            lost += [member.link.name for member in lumps[name].members]
-            waiting += [branch.joint.child for branch in lumps[name].branches]
+            lost += [member.link.name for member in groups[name].members]
+            waiting += [branch.joint.child for branch in groups[name].branches]
         more = f", and with it {', '.join(lost[1:])}" if len(lost) > 1 else ""
-        self.notes.append(f"link {lump.name} has no mass, so Gazebo leaves it out{more}: give it an <inertial>")  # fmt: skip
+        self.notes.append(f"link {group.name} has no mass, so Gazebo leaves it out{more}: give it an <inertial>")  # fmt: skip
 
     def _note_mimics(self) -> None:
         for joint in self.robot.joints.values():
@@ -192,7 +206,7 @@ def _bound(limit: float) -> float:
 
 
 def _merged_tags(tags: list[LinkTags]) -> LinkTags:
-    """What is said of a lump: of several words about one thing the last one counts."""
+    """What is said of a group: of several words about one thing the last one counts."""
     merged = LinkTags()
     for one in tags:
         merged.gravity = merged.gravity if one.gravity is None else one.gravity

@@ -6,14 +6,22 @@ import math
 from dataclasses import dataclass, field, replace
 
 from simkit.geometry import Vector
-from simkit.physics.bodies import check_lengths, check_pose
 from simkit.physics.errors import ModelError
 from simkit.physics.gazebo_tags import GazeboTags, LinkTags
-from simkit.physics.lumps import Member, RigidGroup
 from simkit.physics.mesh import MAX_TRIANGLES, CollisionMesh, stand_in
-from simkit.physics.plan import Plane, ShapePlan
+from simkit.physics.plan import (
+    JointKind,
+    JointPlan,
+    Plane,
+    ShapePlan,
+    Solid,
+    check_lengths,
+    check_pose,
+)
+from simkit.physics.rigid_groups import Member, RigidGroup
 from simkit.urdf.mesh_file import MeshError, read_mesh
 from simkit.urdf.model import Box, Collision, Cylinder, Mesh, Sphere
+from simkit.urdf.wheel import is_wheel
 
 SMALLEST = 1e-6
 """A shape with a smaller size [m] is none."""
@@ -108,7 +116,7 @@ FRICTION = 1.0
 
 @dataclass(slots=True)
 class _Shelf:
-    """What is made of the shapes of one lump."""
+    """What is made of the shapes of one group."""
 
     leader: str
     tags: GazeboTags
@@ -117,14 +125,14 @@ class _Shelf:
     names: set[str] = field(default_factory=set)
 
 
-def shapes_of(lump: RigidGroup, tags: GazeboTags) -> tuple[tuple[ShapePlan, ...], list[str]]:
-    """The shapes of a lump in its frame, and what is not as the file says.
+def shapes_of(group: RigidGroup, tags: GazeboTags) -> tuple[tuple[ShapePlan, ...], list[str]]:
+    """The shapes of a group in its frame, and what is not as the file says.
 
     Raises:
         ModelError: A number of a shape is none.
     """
-    shelf = _Shelf(lump.name, tags)
-    for member in lump.members:
+    shelf = _Shelf(group.name, tags)
+    for member in group.members:
         for collision in member.link.collisions:
             _add(shelf, member, collision)
         link = tags.of_link(member.link.name)
@@ -166,7 +174,7 @@ def _name(shelf: _Shelf, member: Member, collision: Collision) -> str:
     """Name of a collision: that of its link or its own, with the name of the body that took it in.
 
     Source:
-        sdformat's conversion: `<link>_collision`, further ones `_1`, `_2`; of a link that was lumped
+        sdformat's conversion: `<link>_collision`, further ones `_1`, `_2`; of a link that was grouped
         `<body>_fixed_joint_lump__<link>_collision`.
     """
     own = collision.name or member.link.name
@@ -178,3 +186,35 @@ def _name(shelf: _Shelf, member: Member, collision: Collision) -> str:
         name, number = f"{prefix}{own}_collision_{number}", number + 1
     shelf.names.add(name)
     return name
+
+
+WIDTH = 0.002
+"""Width of what touches of a wheel [m]: how far wheels are apart is off by less than that."""
+
+
+def contact_solid(shape: ShapePlan, joint: JointPlan) -> Solid:
+    """What the engine computes contacts of for a shape that hangs on a joint: of a wheel the middle of its tread.
+
+    Two bodies that touch along a line share the load along it; an engine that knows points gives it to the
+    two ends of the line, in any shares that hold the body up. For a wheel that means an edge: the robot
+    turns as if its wheels were as far apart as these edges, by ten per cent off and another amount in each
+    curve. A tyre is rounder. So the solid that the engine is given for a wheel is narrow, in the middle of the
+    one that is seen, and that lasers see.
+
+    Args:
+        shape: The shape, in the frame of the child of the joint.
+        joint: The joint.
+    """
+    solid = shape.solid
+    if isinstance(solid, Cylinder) and _is_turning_wheel(solid, shape, joint):
+        return Cylinder(radius=solid.radius, length=min(solid.length, WIDTH))
+    return solid
+
+
+def _is_turning_wheel(solid: Cylinder, shape: ShapePlan, joint: JointPlan) -> bool:
+    """Whether a cylinder turns round and round about its own axis."""
+    is_endless = not math.isfinite(joint.lower) and not math.isfinite(joint.upper)
+    if joint.kind is not JointKind.REVOLUTE or not is_endless:
+        return False
+    axis = joint.anchor.rotate(joint.axis)
+    return is_wheel(solid, shape.frame, axis=axis, origin=joint.anchor.translation)

@@ -12,7 +12,7 @@ import numpy as np
 from simkit.geometry import Transform
 from simkit.physics.engine import dart, isometry
 from simkit.physics.plan import BodyPlan, JointKind, JointPlan, ModelPlan, Plane, ShapePlan, Solid
-from simkit.physics.wheel_contact import contact_solid
+from simkit.physics.shapes import contact_solid
 from simkit.urdf.model import Box, Cylinder, Sphere
 
 _CREATORS = {
@@ -138,7 +138,7 @@ def _choose_collisions(skeleton: Any, plan: ModelPlan) -> None:
     skeleton.disableAdjacentBodyCheck()
 
 
-def shy_pairs(plan: ModelPlan) -> list[tuple[str, str]]:
+def non_colliding_pairs(plan: ModelPlan) -> list[tuple[str, str]]:
     """Pairs of bodies of a model that pass through each other although others of it do not."""
     names = list(plan.bodies)
     if not any(body.self_collide for body in plan.bodies.values()):

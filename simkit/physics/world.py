@@ -14,11 +14,11 @@ from simkit.geometry import Transform, Vector
 from simkit.physics.contact import Contact, Owner, read_contacts
 from simkit.physics.engine import GRAVITY, STEP_NS, checked_pose, new_engine_world, vector
 from simkit.physics.errors import ModelError, PhysicsError
-from simkit.physics.ground import ground_plan
 from simkit.physics.model import Model
 from simkit.physics.plan import ModelPlan
 from simkit.physics.rays import Hits, RayShapes, cast
-from simkit.physics.skeleton import build, shy_pairs
+from simkit.physics.sdf.planning import ground_plan
+from simkit.physics.skeleton import build, non_colliding_pairs
 from simkit.physics.stability import ModelWatch
 from simkit.physics.stepper import Stepper
 
@@ -164,7 +164,7 @@ class World:
         for joint in model.joints.values():
             joint.release()
         bodies = model.built.bodies
-        for one, other in shy_pairs(model.plan):
+        for one, other in non_colliding_pairs(model.plan):
             self._filter().removeBodyNodePairFromBlackList(bodies[one], bodies[other])
         self._stepper.collision_filter.forget(model)
         self._engine.removeSkeleton(model.built.skeleton)
@@ -282,7 +282,7 @@ class World:
             self._owners[label] = Owner(name, node.getBodyNodePtr().getName(), shape)
         if built.skeleton.getNumDofs() and not plan.is_static:
             self._stepper.watches[name] = ModelWatch(model)
-        for one, other in shy_pairs(plan):
+        for one, other in non_colliding_pairs(plan):
             self._filter().addBodyNodePairToBlackList(built.bodies[one], built.bodies[other])
 
     def _filter(self) -> Any:

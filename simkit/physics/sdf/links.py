@@ -24,7 +24,7 @@ _VISUAL = ["pose", "geometry", "material"]
 _VISUAL_SILENT = ["cast_shadows", "transparency", "laser_retro", "meta", "plugin"]
 
 
-def read_link(page: Page, element: Element) -> SdfLink:
+def read_link_element(page: Page, element: Element) -> SdfLink:
     """A `<link>`."""
     page.leave_out(element, _LINK, silent=_LINK_SILENT)
     decay = element.child("velocity_decay")

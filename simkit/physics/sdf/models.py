@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from simkit.diagnostics import Severity
 from simkit.physics.sdf.description import SdfJoint, SdfLink, SdfModel
-from simkit.physics.sdf.links import read_link
+from simkit.physics.sdf.links import read_link_element
 from simkit.physics.sdf.page import Page
 from simkit.physics.sdf.rules import NO_MASS
 from simkit.urdf.model import Pose
@@ -27,7 +27,7 @@ _JOINT_SILENT = ["physics", "sensor"]
 _AXIS = ["xyz", "limit", "dynamics", "use_parent_model_frame"]
 
 
-def read_model(page: Page, element: Element) -> SdfModel:
+def read_model_element(page: Page, element: Element) -> SdfModel:
     """A `<model>`.
 
     Raises:
@@ -37,7 +37,7 @@ def read_model(page: Page, element: Element) -> SdfModel:
     name = element.get("name")
     if not name:
         raise page.refuse(element, "a <model> has no name", 'Write <model name="...">.')
-    links = [read_link(page, child) for child in element.all("link")]
+    links = [read_link_element(page, child) for child in element.all("link")]
     _check_names(page, [link.element for link in links])
     if not links:
         page.say(element, f"the model {name} has no link", "Give it a <link>.")

@@ -9,15 +9,13 @@ from dataclasses import dataclass, field
 from simkit.diagnostics import Diagnostic, Severity
 from simkit.errors import near_names
 from simkit.geometry import Vector
-from simkit.physics.bodies import LARGEST
 from simkit.physics.errors import WorldFileError
+from simkit.physics.plan import LARGEST
 from simkit.physics.sdf.library import ModelLibrary
 from simkit.physics.sdf.rules import NUMBER, UNSUPPORTED, UNUSABLE
+from simkit.urdf.fixed_joints import TRUE
 from simkit.urdf.model import Pose, Rgba
 from simkit.xml import Document, Element
-
-TRUE = ("true", "1", "yes")
-"""What counts as true, in small letters."""
 
 
 @dataclass(slots=True, kw_only=True)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import functools
+
 from simkit.geometry import Transform, Vector
-from simkit.physics.bodies import NO_MASS, check_numbers, check_pose, sound
 from simkit.physics.errors import ModelError
 from simkit.physics.plan import (
     BodyPlan,
@@ -13,11 +14,15 @@ from simkit.physics.plan import (
     Mount,
     Plane,
     ShapePlan,
+    check_pose,
 )
+from simkit.physics.rigid_groups import link_body, sound
 from simkit.physics.sdf.description import SdfCollision, SdfJoint, SdfLink, SdfModel
+from simkit.physics.sdf.library import BUILT_IN
 from simkit.physics.sdf.models import WORLD
+from simkit.physics.sdf.world_file import read_model_text
 from simkit.physics.shapes import PLACEHOLDER, note_friction, unit, with_solid
-from simkit.urdf.inertia import Body, placed_body
+from simkit.urdf.inertia import Body
 from simkit.urdf.model import Inertial
 
 _KINDS = {
@@ -100,16 +105,11 @@ def _body(model: SdfModel, link: SdfLink, notes: list[str]) -> BodyPlan:
 
 
 def _mass(link: SdfLink) -> Body:
-    one = link.inertial or Inertial(mass=1.0, ixx=1.0, iyy=1.0, izz=1.0)
-    check_numbers(
-        (one.mass, one.ixx, one.ixy, one.ixz, one.iyy, one.iyz, one.izz),
-        f"the inertial of link {link.name}",
-    )
-    check_pose(one.origin, f"the inertial of link {link.name}")
-    if one.mass < NO_MASS:
-        raise ModelError(f"link {link.name} has a mass of {one.mass:g} kg: a mass is positive")
-    tensor = ((one.ixx, one.ixy, one.ixz), (one.ixy, one.iyy, one.iyz), (one.ixz, one.iyz, one.izz))
-    return placed_body(Body(one.mass, (0.0, 0.0, 0.0), tensor), one.origin.transform)
+    inertial = link.inertial or Inertial(mass=1.0, ixx=1.0, iyy=1.0, izz=1.0)
+    body = link_body(inertial, link.name)
+    if body is None:
+        raise ModelError(f"link {link.name} has a mass of {inertial.mass:g} kg: a mass is positive")
+    return body
 
 
 def _shape(link: SdfLink, collision: SdfCollision, notes: list[str]) -> ShapePlan | None:
@@ -164,3 +164,17 @@ def _axis(joint: SdfJoint, link: Transform) -> Vector:
     if joint.axis_in_model:
         axis = (link @ joint.pose.transform).rotate_back(axis)
     return unit(axis, f"the axis of joint {joint.name}")
+
+
+GROUND = "ground_plane"
+"""Name of the model of the ground."""
+
+
+@functools.cache
+def ground_plan() -> ModelPlan:
+    """The plan of the ground: a plane without end at z = 0 that nothing moves.
+
+    Its friction is 100: of two that touch the smaller coefficient counts, so that of the robot does.
+    """
+    model, _ = read_model_text(BUILT_IN[GROUND], file=f"model://{GROUND}/model.sdf")
+    return plan_model(model)

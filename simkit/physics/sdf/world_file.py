@@ -11,7 +11,7 @@ from simkit.physics.engine import GRAVITY, STEP_NS
 from simkit.physics.errors import WorldFileError
 from simkit.physics.sdf.description import SdfLight, SdfModel, SdfWorld
 from simkit.physics.sdf.library import ModelLibrary
-from simkit.physics.sdf.models import read_model, renamed
+from simkit.physics.sdf.models import read_model_element, renamed
 from simkit.physics.sdf.page import Page
 from simkit.physics.sdf.rules import NUMBER, SYNTAX
 from simkit.xml import Document, Element, parse_xml
@@ -116,7 +116,7 @@ def read_model_text(
         raise _refused(
             page.document, "there is no <model> in it", 'Write <model name="..."> in <sdf>.'
         )
-    model = read_model(page, element)
+    model = read_model_element(page, element)
     return model, in_order(page.found)
 
 
@@ -159,7 +159,7 @@ def _take(page: Page, element: Element, contents: _Contents) -> None:
     """Take in one element of a world."""
     match element.name:
         case "model":
-            contents.models.append(read_model(page, element))
+            contents.models.append(read_model_element(page, element))
         case "light":
             contents.lights.append(_light(page, element))
         case "include":
@@ -184,7 +184,7 @@ def _include(page: Page, element: Element, contents: _Contents) -> None:
     for child in [] if root is None else root.children:
         if child.name == "model":
             model = renamed(
-                read_model(inner, child),
+                read_model_element(inner, child),
                 name=page.text(element, "name"),
                 pose=page.pose(element) if element.child("pose") else None,
                 is_static=page.flag(element, "static") if element.child("static") else None,

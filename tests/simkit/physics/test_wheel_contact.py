@@ -10,7 +10,7 @@ import pytest
 
 from simkit.geometry import Transform
 from simkit.physics import JointKind, JointPlan, ShapePlan, World, plan_robot
-from simkit.physics.wheel_contact import WIDTH, contact_solid
+from simkit.physics.shapes import WIDTH, contact_solid
 from simkit.urdf import Box, Cylinder, load_robot
 
 LYING = Transform.from_rpy((0.0, 0.0, 0.0), (math.pi / 2, 0.0, 0.0))
