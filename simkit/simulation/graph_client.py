@@ -60,13 +60,23 @@ class GraphClient:
     def latest(self, topic: str) -> Any:
         """The last message of a topic, or None if there was none yet.
 
+        Sensors and the world publish only while somebody listens: on a topic that nobody has listened to, the simulation
+        does so from now on.
+
         Raises:
             UnknownNameError: No node uses the topic.
         """
         entry = self._sim.graph.topics.get(self._sim.node.resolve(topic))
         if entry is None:
             raise UnknownNameError("topic", self._sim.node.resolve(topic), self.topics())
-        return None if entry.last is None else entry.message_class.from_bytes(entry.last)
+        if entry.last is not None:
+            return entry.message_class.from_bytes(entry.last)
+        if entry.publishers and not entry.subscriptions:
+            self._sim.node.subscribe(entry.name, entry.message_class, lambda _message: None)
+            self._sim.node.info(
+                f"nobody has listened to {entry.name} so far; sim.latest() does from now on: let time pass, then ask again"
+            )
+        return None
 
     def wait_for_message(self, topic: str, timeout: float = 10.0) -> Any:
         """Let virtual time pass until the next message of a topic, and return it.

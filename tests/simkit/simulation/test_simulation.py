@@ -104,6 +104,15 @@ def test_the_latest_message_of_a_topic(turtle):
         turtle.latest("/turtle1/poes")
 
 
+def test_what_is_published_for_listeners_only_is_listened_to_from_the_first_question_on(sim):
+    sim.rosrun("gazebo_ros", "gzserver", "worlds/empty.world")
+    sim.run(0.1)
+    assert sim.latest("/clock") is None
+    assert "nobody has listened to /clock" in sim.log[-1].text
+    sim.run(0.1)
+    assert sim.latest("/clock").clock == sim.now
+
+
 def test_a_latest_message_is_a_copy(turtle):
     turtle.latest("/turtle1/pose").x = 100
     assert turtle.latest("/turtle1/pose").x < 6
