@@ -1,25 +1,28 @@
-"""Lookups in the form of tf: lists of numbers, and names that may start with a slash."""
+"""Lookups in the form of tf, over the buffer of tf2_ros: lists of numbers, and names that may start with a slash."""
 
 # ruff: noqa: N802 - the names are tf's
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from simkit.geometry import Vector
+from simkit.graph.process.client import let_time_pass
 from simkit.msgs import Duration, Time
 from simkit.tf.admission import without_slash
-from simkit.tf.buffer import Buffer
 from simkit.tf.errors import TransformException
 from simkit.tf.frame_report import frame_reports
+from simkit.tf.hints import attach
 
-from .patience import noticing, time_passes_on_failure, wait_until
 from .twist import twist_between
 
 if TYPE_CHECKING:
-    from simkit.ros1 import rospy
+    from simkit.ros1 import tf2_ros
+    from simkit.ros1.tf2_py.buffer_core import time_passes_on_failure
 else:
-    import rospy
+    import tf2_ros
+    from tf2_py.buffer_core import time_passes_on_failure
 
 
 class Transformer:
@@ -33,7 +36,7 @@ class Transformer:
     """
 
     def __init__(self, interpolate: bool = True, cache_time: Duration | None = None) -> None:
-        self._buffer = Buffer(cache_time, on_warning=rospy.logwarn)
+        self._buffer = tf2_ros.Buffer(cache_time, debug=False)
         self._using_dedicated_thread = False
 
     def lookupTransform(
@@ -54,8 +57,8 @@ class Transformer:
             ConnectivityException: The frames lie in two trees.
             ExtrapolationException: `time` lies outside the stored data.
         """
-        with time_passes_on_failure():
-            return _as_lists(self._lookup(target_frame, source_frame, time))
+        question = _without_slashes(target_frame, source_frame, time)
+        return _as_lists(self._buffer.lookup_transform_core(*question))
 
     def lookupTransformFull(
         self,
@@ -75,14 +78,15 @@ class Transformer:
         Raises:
             TransformException: As `lookupTransform`.
         """
-        with time_passes_on_failure():
-            return _as_lists(
-                self._lookup_full(target_frame, target_time, source_frame, source_time, fixed_frame)
-            )
+        question = _without_slashes(
+            target_frame, target_time, source_frame, source_time, fixed_frame
+        )
+        return _as_lists(self._buffer.lookup_transform_full_core(*question))
 
     def canTransform(self, target_frame: str, source_frame: str, time: Time) -> bool:
         """Whether `lookupTransform` would answer."""
-        return noticing(self._reason(target_frame, source_frame, time)[0])
+        question = _without_slashes(target_frame, source_frame, time)
+        return bool(self._buffer.can_transform_core(*question)[0])
 
     def canTransformFull(
         self,
@@ -93,9 +97,10 @@ class Transformer:
         fixed_frame: str,
     ) -> bool:
         """Whether `lookupTransformFull` would answer."""
-        return noticing(
-            self._reason_full(target_frame, target_time, source_frame, source_time, fixed_frame)[0]
+        question = _without_slashes(
+            target_frame, target_time, source_frame, source_time, fixed_frame
         )
+        return bool(self._buffer.can_transform_full_core(*question)[0])
 
     def waitForTransform(
         self,
@@ -117,13 +122,8 @@ class Transformer:
         Raises:
             TransformException: It did not come in time; the text says what was missing.
         """
-        self._require_listener()
-        wait_until(
-            lambda: self._reason(target_frame, source_frame, time),
-            timeout,
-            frames=(target_frame, source_frame),
-            lookup=lambda: self._lookup(target_frame, source_frame, time),
-        )
+        question = _without_slashes(target_frame, source_frame, time)
+        self._wait(self._buffer.can_transform, question, timeout, (source_frame, target_frame))
 
     def waitForTransformFull(
         self,
@@ -140,17 +140,10 @@ class Transformer:
         Raises:
             TransformException: It did not come in time; the text says what was missing.
         """
-        self._require_listener()
-        wait_until(
-            lambda: self._reason_full(
-                target_frame, target_time, source_frame, source_time, fixed_frame
-            ),
-            timeout,
-            frames=(target_frame, source_frame),
-            lookup=lambda: self._lookup_full(
-                target_frame, target_time, source_frame, source_time, fixed_frame
-            ),
+        question = _without_slashes(
+            target_frame, target_time, source_frame, source_time, fixed_frame
         )
+        self._wait(self._buffer.can_transform_full, question, timeout, (source_frame, target_frame))
 
     def getLatestCommonTime(self, source_frame: str, dest_frame: str) -> Time:
         """Newest time at which a lookup between two frames would answer.
@@ -158,11 +151,7 @@ class Transformer:
         Raises:
             TransformException: A name is unknown, or no way joins the frames.
         """
-        with time_passes_on_failure():
-            common = self._buffer.get_latest_common_time(
-                without_slash(source_frame), without_slash(dest_frame)
-            )
-        return rospy.Time(common.secs, common.nsecs)
+        return self._buffer.get_latest_common_time(*_without_slashes(source_frame, dest_frame))
 
     def chain(
         self,
@@ -173,18 +162,20 @@ class Transformer:
         fixed_frame: str,
     ) -> list[str]:
         """Frames on the way from source over fixed to target; no slash is dropped here."""
-        with time_passes_on_failure():
-            return self._buffer._chain(
-                target_frame, target_time, source_frame, source_time, fixed_frame
-            )
+        return self._buffer._chain(
+            target_frame, target_time, source_frame, source_time, fixed_frame
+        )
 
     def frameExists(self, frame_id: str) -> bool:
         """Whether a frame has a parent and data: a root does not exist for tf."""
-        return noticing(frame_id in self.getFrameStrings())
+        exists = frame_id in self.getFrameStrings()
+        if not exists:
+            let_time_pass()
+        return exists
 
     def getFrameStrings(self) -> list[str]:
         """Frames that have a parent and data."""
-        return [report.name for report in frame_reports(self._buffer.core.frames)]
+        return [report.name for report in frame_reports(self._buffer._buffer.core.frames)]
 
     def allFramesAsString(self) -> str:
         """One line per frame that ever had a parent."""
@@ -192,7 +183,7 @@ class Transformer:
 
     def allFramesAsDot(self, current_time: Time | None = None) -> str:
         """The tree in graphviz' language."""
-        return self._buffer._allFramesAsDot(current_time or Time(0))
+        return self._buffer._allFramesAsDot(current_time)
 
     def setTransform(self, transform: Any, authority: str = "default_authority") -> None:
         """Store a geometry_msgs/TransformStamped."""
@@ -250,7 +241,7 @@ class Transformer:
         names = (tracking_frame, observation_frame, reference_frame, reference_point_frame)
         with time_passes_on_failure():
             return twist_between(
-                self._buffer.core,
+                self._buffer._buffer.core,
                 *map(without_slash, names),
                 point=ref_point,
                 time=time.to_nsec(),
@@ -269,27 +260,34 @@ class Transformer:
         """Empty: tf2 knows no prefixes."""
         return ""
 
-    def _require_listener(self) -> None:
+    def _wait(
+        self,
+        can_transform: Callable[..., Any],
+        question: tuple[Any, ...],
+        timeout: Duration,
+        frames: tuple[str, str],
+    ) -> None:
+        """Wait for a yes; the hint of the error is that of the lookup, which fails as well."""
         if not self._using_dedicated_thread:
             raise TransformException(
                 "cannot wait for transform without a dedicated thread that listens to incoming "
                 "TF messages"
             )
+        possible, reason = can_transform(*question, timeout, return_debug_tuple=True)
+        if possible:
+            return
+        source, target = frames
+        error = TransformException(reason or f'no such transformation: "{source}" -> "{target}"')
+        buffer = self._buffer._buffer
+        lookup = buffer.lookup_transform if len(question) == 3 else buffer.lookup_transform_full
+        try:
+            lookup(*question)
+        except TransformException as failure:
+            attach(error, failure.hint)
+        raise error
 
-    def _lookup(self, *question: Any) -> Any:
-        return self._buffer.lookup_transform(*_without_slashes(question))
 
-    def _lookup_full(self, *question: Any) -> Any:
-        return self._buffer.lookup_transform_full(*_without_slashes(question))
-
-    def _reason(self, *question: Any) -> tuple[bool, str]:
-        return self._buffer.can_transform_core(*_without_slashes(question))
-
-    def _reason_full(self, *question: Any) -> tuple[bool, str]:
-        return self._buffer.can_transform_full_core(*_without_slashes(question))
-
-
-def _without_slashes(question: tuple[Any, ...]) -> tuple[Any, ...]:
+def _without_slashes(*question: Any) -> tuple[Any, ...]:
     """The arguments of a question, one leading slash dropped from each frame name."""
     return tuple(without_slash(part) if isinstance(part, str) else part for part in question)
 

@@ -65,8 +65,8 @@ class BufferCore:
             ExtrapolationException: `time` lies outside the stored data.
             TypeError: `time` is a bare number, or a name is no text.
         """
-        _require_names(target_frame, source_frame)
-        with _time_passes_on_failure():
+        require_names(target_frame, source_frame)
+        with time_passes_on_failure():
             return self._buffer.lookup_transform(target_frame, source_frame, time)
 
     def lookup_transform_full_core(
@@ -84,8 +84,8 @@ class BufferCore:
         Raises:
             TransformException: As `lookup_transform_core`.
         """
-        _require_names(target_frame, source_frame, fixed_frame)
-        with _time_passes_on_failure():
+        require_names(target_frame, source_frame, fixed_frame)
+        with time_passes_on_failure():
             return self._buffer.lookup_transform_full(
                 target_frame, target_time, source_frame, source_time, fixed_frame
             )
@@ -94,7 +94,7 @@ class BufferCore:
         self, target_frame: str, source_frame: str, time: Time
     ) -> tuple[int, str]:
         """1 if `lookup_transform_core` would answer, else 0 and the reason."""
-        _require_names(target_frame, source_frame)
+        require_names(target_frame, source_frame)
         return _noticed(self._buffer.can_transform_core(target_frame, source_frame, time))
 
     def can_transform_full_core(
@@ -106,7 +106,7 @@ class BufferCore:
         fixed_frame: str,
     ) -> tuple[int, str]:
         """1 if `lookup_transform_full_core` would answer, else 0 and the reason."""
-        _require_names(target_frame, source_frame, fixed_frame)
+        require_names(target_frame, source_frame, fixed_frame)
         return _noticed(
             self._buffer.can_transform_full_core(
                 target_frame, target_time, source_frame, source_time, fixed_frame
@@ -119,8 +119,8 @@ class BufferCore:
         Raises:
             TransformException: A name is unknown, or no way joins the frames.
         """
-        _require_names(target_frame, source_frame)
-        with _time_passes_on_failure():
+        require_names(target_frame, source_frame)
+        with time_passes_on_failure():
             common = self._buffer.get_latest_common_time(target_frame, source_frame)
         return rospy.Time(common.secs, common.nsecs)
 
@@ -144,7 +144,7 @@ class BufferCore:
         source_time: Time,
         fixed_frame: str,
     ) -> list[str]:
-        with _time_passes_on_failure():
+        with time_passes_on_failure():
             return self._buffer._chain(
                 target_frame, target_time, source_frame, source_time, fixed_frame
             )
@@ -166,7 +166,8 @@ class BufferCore:
 
 
 @contextmanager
-def _time_passes_on_failure() -> Iterator[None]:
+def time_passes_on_failure() -> Iterator[None]:
+    """Let a millisecond pass when the lookup inside fails: a loop may try until it succeeds."""
     try:
         yield
     except TransformException:
@@ -182,7 +183,12 @@ def _noticed(answer: tuple[bool, str]) -> tuple[int, str]:
     return int(possible), reason
 
 
-def _require_names(*frames: object) -> None:
+def require_names(*frames: object) -> None:
+    """Refuse a frame that is no text.
+
+    Raises:
+        TypeError: Says which, and the order of the arguments.
+    """
     for number, frame in enumerate(frames, start=1):
         if not isinstance(frame, str):
             raise TypeError(

@@ -12,10 +12,10 @@ from .buffer_interface import NO_TIMEOUT, BufferInterface
 
 if TYPE_CHECKING:
     from simkit.ros1 import rospy
-    from simkit.ros1.tf2_py import BufferCore
+    from simkit.ros1.tf2_py.buffer_core import BufferCore, require_names
 else:
     import rospy
-    from tf2_py import BufferCore
+    from tf2_py.buffer_core import BufferCore, require_names
 
 _POLLS = 0.01
 "Share of the timeout between two looks."
@@ -60,7 +60,7 @@ class Buffer(BufferCore, BufferInterface):
             ExtrapolationException: `time` lies outside the stored data.
             TypeError: A time is a bare number.
         """
-        _wait_until(lambda: self.can_transform_core(target_frame, source_frame, time)[0], timeout)
+        self._wait(self._buffer.can_transform_core, (target_frame, source_frame, time), timeout)
         return self.lookup_transform_core(target_frame, source_frame, time)
 
     def lookup_transform_full(
@@ -80,7 +80,7 @@ class Buffer(BufferCore, BufferInterface):
             TransformException: As `lookup_transform`.
         """
         question = (target_frame, target_time, source_frame, source_time, fixed_frame)
-        _wait_until(lambda: self.can_transform_full_core(*question)[0], timeout)
+        self._wait(self._buffer.can_transform_full_core, question, timeout)
         return self.lookup_transform_full_core(*question)
 
     def can_transform(
@@ -100,7 +100,7 @@ class Buffer(BufferCore, BufferInterface):
             timeout: How long to wait at most.
             return_debug_tuple: Give (0 or 1, reason) instead.
         """
-        _wait_until(lambda: self.can_transform_core(target_frame, source_frame, time)[0], timeout)
+        self._wait(self._buffer.can_transform_core, (target_frame, source_frame, time), timeout)
         answer = self.can_transform_core(target_frame, source_frame, time)
         return answer if return_debug_tuple else answer[0]
 
@@ -116,26 +116,32 @@ class Buffer(BufferCore, BufferInterface):
     ) -> Any:
         """Whether `lookup_transform_full` would answer, within the timeout."""
         question = (target_frame, target_time, source_frame, source_time, fixed_frame)
-        _wait_until(lambda: self.can_transform_full_core(*question)[0], timeout)
+        self._wait(self._buffer.can_transform_full_core, question, timeout)
         answer = self.can_transform_full_core(*question)
         return answer if return_debug_tuple else answer[0]
 
+    def _wait(
+        self,
+        can_transform: Callable[..., tuple[bool, str]],
+        question: tuple[Any, ...],
+        timeout: Duration,
+    ) -> None:
+        """Ask again and again until the answer is yes or the time is up.
 
-def _wait_until(question: Callable[[], int], timeout: Duration) -> None:
-    """Ask again and again until the answer is yes or the time is up.
-
-    Raises:
-        TypeError: `timeout` is a bare number.
-    """
-    if not isinstance(timeout, Duration):
-        raise TypeError(
-            f"timeout must be a rospy.Duration, not {timeout!r}: rospy.Duration({timeout!r})"
-        )
-    if timeout == NO_TIMEOUT:
-        return
-    start, period = rospy.Time.now(), timeout * _POLLS
-    with looking(period.to_nsec(), (start + timeout).to_nsec()):
-        while not question() and start <= rospy.Time.now() + _BACKWARD_JUMP:
-            if rospy.Time.now() >= start + timeout:
-                return
-            rospy.sleep(period)
+        Raises:
+            TypeError: `timeout` is a bare number, or a name is no text.
+        """
+        if not isinstance(timeout, Duration):
+            raise TypeError(
+                f"timeout must be a rospy.Duration, not {timeout!r}: rospy.Duration({timeout!r})"
+            )
+        if timeout == NO_TIMEOUT:
+            return
+        require_names(*question[::2] if len(question) == 5 else question[:2])
+        start, period = rospy.Time.now(), timeout * _POLLS
+        with looking(period.to_nsec(), (start + timeout).to_nsec()):
+            while not can_transform(*question)[0]:
+                now = rospy.Time.now()
+                if now >= start + timeout or start > now + _BACKWARD_JUMP:
+                    return
+                rospy.sleep(period)

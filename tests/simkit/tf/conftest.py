@@ -215,8 +215,9 @@ class FakeRospy(ModuleType):
 
     def __init__(self) -> None:
         super().__init__("rospy")
-        self.Time, self.Duration = Time, Duration
+        self.Duration = Duration
         self.now_ns = 100 * SECOND
+        self.Time = type("Time", (Time,), {"__slots__": (), "now": lambda: self.get_rostime()})
         self.warnings: list[str] = []
         self.published: list[tuple[str, Any]] = []
         self.callbacks: dict[str, Any] = {}
@@ -239,7 +240,9 @@ class FakeRospy(ModuleType):
         """Do something when the clock reaches a time."""
         self.agenda.append((round(seconds * SECOND), action))
 
-    def _subscribe(self, topic: str, message_class: Any, callback: Any) -> object:
+    def _subscribe(
+        self, topic: str, message_class: Any, callback: Any, queue_size: int | None = None
+    ) -> object:
         self.callbacks[topic] = callback
         return object()
 
@@ -267,8 +270,12 @@ def rospy(monkeypatch: pytest.MonkeyPatch) -> Iterator[FakeRospy]:
 def tf(rospy: FakeRospy, monkeypatch: pytest.MonkeyPatch) -> Any:
     """The module that a script gets by `import tf`."""
     with client.preloading():
-        module = importlib.import_module("simkit.ros1.tf")
-    patience = importlib.import_module("simkit.ros1.tf.patience")
+        for name in ("tf2_py", "tf2_py.buffer_core", "tf2_ros", "tf"):
+            module = importlib.import_module(f"simkit.ros1.{name}")
+            if name != "tf":
+                monkeypatch.setitem(sys.modules, name, module)
     module.passed = []  # type: ignore[attr-defined]
-    monkeypatch.setattr(patience, "let_time_pass", lambda: module.passed.append(rospy.now_ns))
+    for name in ("tf2_py.buffer_core", "tf.transformer"):
+        asking = importlib.import_module(f"simkit.ros1.{name}")
+        monkeypatch.setattr(asking, "let_time_pass", lambda: module.passed.append(rospy.now_ns))
     return module
