@@ -10,7 +10,7 @@ from simkit.geometry import Vector
 from simkit.tf import Buffer
 from simkit.viz.draw.thinning import Row
 from simkit.viz.plots.plot import RecordedTopics
-from simkit.viz.stage.camera import AXIS_SHARE, AXIS_SHARE_OF_ROBOT, stage_for
+from simkit.viz.stage.camera import AXIS_SHARE, AXIS_SHARE_OF_ROBOT, bounds, stage_for
 from simkit.viz.stage.frames import FramePose, tf_scene
 from simkit.viz.stage.parts import corners
 from simkit.viz.stage.robot import RobotShapes
@@ -151,13 +151,11 @@ def _with_room(
     return replace(scene, stage=stage_for(scene.tf, points, axis_share=share))
 
 
-def _outline(track: MarksTrack) -> Iterator[Vector]:
-    """The corners of the box around everything that a display ever showed."""
+def _outline(track: MarksTrack) -> tuple[Vector, ...]:
+    """Two corners of the box around everything that a display ever showed."""
     shown = (one for _, one in track.moments)
     points = [point for one in shown for line in (one.points, *one.lines) for point in line]
-    for bound in (min, max) if points else ():
-        x, y, z = (bound(values) for values in zip(*points, strict=True))
-        yield x, y, z
+    return bounds(points) if points else ()
 
 
 class TopicTape:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -138,7 +138,7 @@ def stage_for(
         more: Other points that must be seen, e.g. the corners of a robot [m].
         axis_share: Length of an axis as a share of the way across everything.
     """
-    low, high = _bounds([*(pose.origin for pose in scene.poses), *more] or [(0.0, 0.0, 0.0)])
+    low, high = bounds([*(pose.origin for pose in scene.poses), *more] or [(0.0, 0.0, 0.0)])
     if math.dist(low, high) < _LEAST_EXTENT:
         low, high = (low[0] - 1.0, low[1] - 1.0, low[2]), (high[0] + 1.0, high[1] + 1.0, high[2])
     extent = math.dist(low, high)
@@ -157,7 +157,8 @@ def stage_for(
     )
 
 
-def _bounds(points: Sequence[Vector]) -> tuple[Vector, Vector]:
+def bounds(points: Iterable[Vector]) -> tuple[Vector, Vector]:
+    """Least and greatest x, y and z of points, at least one [m]."""
     xs, ys, zs = zip(*points, strict=True)
     return (min(xs), min(ys), min(zs)), (max(xs), max(ys), max(zs))
 

@@ -87,6 +87,12 @@ def half_extents(shape: SolidShape) -> tuple[Vector, Vector]:
     return ORIGIN, half
 
 
+def along(start: Vector, direction: Vector, length: float) -> Vector:
+    """The point at a length [m] from another one in a direction of unit length."""
+    x, y, z = (s + length * d for s, d in zip(start, direction, strict=True))
+    return (x, y, z)
+
+
 def corners(solid: Solid, frame: FramePose | None) -> Iterator[Vector]:
     """The corners of the box around a shape, in the fixed frame [m].
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
 from simkit.geometry import IDENTITY, Transform, Vector, rotate
 from simkit.physics import Model
 from simkit.urdf import Box
-from simkit.viz.stage.camera import AXIS_SHARE_OF_ROBOT, Stage, fitted, stage_for
+from simkit.viz.stage.camera import AXIS_SHARE_OF_ROBOT, Stage, bounds, fitted, stage_for
 from simkit.viz.stage.frames import FramePose, TfScene
 from simkit.viz.stage.parts import Marks, Role, Solid, corners
 from simkit.viz.stage.scene import Displays, PlacedSolid, Scene, Window
@@ -116,7 +116,7 @@ def make_actor(thing: Thing, *, name: str) -> Actor:
     points = list(
         shape_corners(shapes, {pose.name: pose for pose in link_poses(thing.model, name=name)})
     )
-    size = math.dist(*_bounds(points)) if points else 0.0
+    size = math.dist(*bounds(points)) if points else 0.0
     inner = tuple(body_solids(thing.model, name=name, size=_AXIS_OF_MODEL * (size or 1.0)))
     shapes = replace(shapes, solids=shapes.solids + inner)
     return Actor(name=name, thing=thing, shapes=shapes, size=size)
@@ -237,11 +237,6 @@ def _looking_at(stage: Stage, points: Sequence[Vector]) -> Stage:
     """The stage with its camera at some points; as it is if there are none."""
     if not points:
         return stage
-    low, high = _bounds(points)
+    low, high = bounds(points)
     camera = replace(stage.camera, target=low, distance=max(math.dist(low, high), 1e-3))
     return replace(stage, camera=fitted(camera, points, fill=_FILL))
-
-
-def _bounds(points: Iterable[Vector]) -> tuple[Vector, Vector]:
-    xs, ys, zs = zip(*points, strict=True)
-    return (min(xs), min(ys), min(zs)), (max(xs), max(ys), max(zs))

@@ -12,7 +12,7 @@ from simkit.geometry import Vector
 from simkit.physics import Contact, Model
 from simkit.viz.draw.letters import shortened
 from simkit.viz.stage.frames import FramePose, TfScene
-from simkit.viz.stage.parts import Marks, Polyline
+from simkit.viz.stage.parts import Marks, Polyline, along
 from simkit.viz.stage.scene import LONGEST, Scene
 from simkit.viz.stage.world_models import Thing, WorldOfThings
 from simkit.viz.stage.world_scene import (
@@ -65,11 +65,11 @@ class ForceScale:
         if length < 1e-4 * self._length:
             return
         unit = (force[0] / strength, force[1] / strength, force[2] / strength)
-        tip = _along(start, unit, length)
+        tip = along(start, unit, length)
         yield (start, tip)
-        back = _along(start, unit, (1.0 - _BARB) * length)
+        back = along(start, unit, (1.0 - _BARB) * length)
         for side in _across(unit):
-            yield (tip, _along(back, side, _BARB_WIDTH * length))
+            yield (tip, along(back, side, _BARB_WIDTH * length))
 
 
 def contact_marks(contacts: Iterable[Contact], scale: ForceScale, *, is_on: bool) -> Marks:
@@ -112,11 +112,6 @@ def scan_points(things: Iterable[Thing]) -> tuple[Vector, ...]:
         for x, y, z in plugin.scan_points().points.tolist()
         if math.isfinite(x + y + z)
     )
-
-
-def _along(start: Vector, direction: Vector, length: float) -> Vector:
-    x, y, z = (s + length * d for s, d in zip(start, direction, strict=True))
-    return (x, y, z)
 
 
 def _across(unit: Vector) -> tuple[Vector, ...]:

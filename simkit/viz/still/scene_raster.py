@@ -14,7 +14,7 @@ from simkit.viz.draw.drawing import Point
 from simkit.viz.stage import style
 from simkit.viz.stage.camera import Stage
 from simkit.viz.stage.frames import FramePose
-from simkit.viz.stage.parts import POINT_SIZE, Color, Marks, Role
+from simkit.viz.stage.parts import POINT_SIZE, Color, Marks, Role, along
 from simkit.viz.stage.scene import PlacedSolid, Scene
 from simkit.viz.still.raster import Eye, Layer, Pixels
 from simkit.viz.still.surfaces import (
@@ -117,7 +117,7 @@ def _frame_surfaces(poses: tuple[FramePose, ...], length: float) -> Iterator[tup
     for pose in poses:
         for axis, turn, color in zip(pose.axes, _FROM_Z, style.AXIS_COLORS, strict=True):
             thick = style.AXIS_RADIUS * length
-            middle = _along(pose.origin, axis, length / 2)
+            middle = along(pose.origin, axis, length / 2)
             yield rod.placed(middle, multiply(pose.rotation, turn), (thick, thick, length)), color
         if pose.parent in origins:
             yield from _arrow(rod, cone, pose.origin, origins[pose.parent], length)
@@ -131,7 +131,7 @@ def _arrow(
     if way < 1e-9:
         return
     x, y, z = ((b - a) / way for a, b in zip(start, end, strict=True))
-    turn, middle = quaternion_from_z((x, y, z)), _along(start, (x, y, z), way / 2)
+    turn, middle = quaternion_from_z((x, y, z)), along(start, (x, y, z), way / 2)
     thick = style.ARROW_RADIUS * length
     yield rod.placed(middle, turn, (thick, thick, way)), style.ARROW_COLOR
     if way > 2 * style.HEAD_LENGTH * length:
@@ -141,11 +141,6 @@ def _arrow(
 
 def _surface(placed: PlacedSolid) -> Surface:
     return surface_of(placed.solid.shape).placed(*placed.pose())
-
-
-def _along(start: Vector, direction: Vector, length: float) -> Vector:
-    x, y, z = (s + length * d for s, d in zip(start, direction, strict=True))
-    return (x, y, z)
 
 
 _FINER = 2

@@ -11,7 +11,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from simkit.geometry import Quaternion, Vector
+from simkit.geometry import Quaternion, Vector, matrix_from_quaternion
 from simkit.urdf import Box, Cylinder, Sphere
 from simkit.viz.stage.parts import SolidShape, TriangleMesh
 
@@ -139,11 +139,4 @@ def unit_sphere(rings: int = 20) -> Surface:
 
 def rotation_array(q: Quaternion) -> Array:
     """The rotation matrix of a quaternion of unit length, shape (3, 3)."""
-    x, y, z, w = q
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )
+    return np.array(matrix_from_quaternion(q))

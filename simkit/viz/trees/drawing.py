@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from pathlib import Path
+from collections.abc import Iterator
 
 from simkit.viz.draw.drawing import (
     Area,
     Curve,
-    Drawing,
     Group,
     Label,
     Point,
@@ -16,9 +14,8 @@ from simkit.viz.draw.drawing import (
     RoundedBox,
     Shape,
 )
-from simkit.viz.draw.files import save_as
+from simkit.viz.draw.files import DrawnPicture, Formats
 from simkit.viz.draw.letters import shortened
-from simkit.viz.draw.svg import svg_text
 from simkit.viz.trees.layout import (
     CARD_PADDING,
     FACT_HEIGHT,
@@ -41,49 +38,16 @@ _FRAME, _FRAME_EDGE, _ROOT = "#e6f0fd", "#3a6fb0", "#1f4f8f"
 _LOOP, _LOOP_INK = "#fdeceb", "#b3261e"
 
 
-class TreePicture:
-    """A picture that shows itself in a notebook and writes the files that all trees have."""
-
-    def _drawing(self) -> Drawing:
-        raise NotImplementedError
+class TreePicture(DrawnPicture):
+    """A tree as a picture, and in graphviz' language."""
 
     def to_dot(self) -> str:
         """The tree in graphviz' language."""
         raise NotImplementedError
 
-    def to_svg(self) -> str:
-        """The tree as an SVG document; equal trees give equal text."""
-        return svg_text(self._drawing())
-
-    def to_png(self, *, scale: float = 2.0) -> bytes:
-        """The tree as a PNG file.
-
-        Args:
-            scale: Pixels of the file per pixel of the SVG.
-        """
-        from simkit.viz.draw.figure import png_bytes
-
-        return png_bytes(self._drawing(), scale=scale)
-
-    def to_pdf(self) -> bytes:
-        """The tree as a PDF file of one page."""
-        from simkit.viz.draw.figure import pdf_bytes
-
-        return pdf_bytes(self._drawing())
-
-    def save(self, path: str | Path) -> None:
-        """Write a file: `.svg`, `.pdf`, `.png` or `.gv` by its suffix.
-
-        Raises:
-            UnknownNameError: The suffix is another one.
-        """
-        save_as(path, self._writers())
-
-    def _writers(self) -> dict[str, Callable[[], str | bytes]]:
-        return {".gv": self.to_dot, ".pdf": self.to_pdf, ".png": self.to_png, ".svg": self.to_svg}
-
-    def _repr_svg_(self) -> str:
-        return self.to_svg()
+    def formats(self) -> Formats:
+        """`.svg`, `.pdf`, `.png` and `.gv`."""
+        return {".gv": self.to_dot, **super().formats()}
 
 
 def dot_quoted(text: str) -> str:

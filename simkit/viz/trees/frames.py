@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from simkit.msgs import Time
 from simkit.tf import Buffer
 from simkit.tf.frame_report import FrameReport
 from simkit.viz.draw.drawing import Drawing, Label, Point, RoundedBox, Shape
+from simkit.viz.draw.files import Formats
 from simkit.viz.draw.letters import shortened, text_width, wrapped
 from simkit.viz.trees.drawing import (
     GREY,
@@ -62,13 +63,15 @@ class FramesPicture(TreePicture):
         """Parent, broadcaster, rate and stamps of each frame, as tf2 writes them."""
         return self._yaml
 
-    def _writers(self) -> dict[str, Callable[[], str | bytes]]:
-        return {**super()._writers(), ".yaml": self.to_yaml}
+    def formats(self) -> Formats:
+        """`.svg`, `.pdf`, `.png`, `.gv` and `.yaml`."""
+        return {**super().formats(), ".yaml": self.to_yaml}
 
     def __repr__(self) -> str:
         return f"FramesPicture({self._forest.frame_count} frames, {len(self._forest.trees)} trees)"
 
-    def _drawing(self) -> Drawing:
+    def drawing(self) -> Drawing:
+        """The trees."""
         return _draw_forest(self._forest, self._now)
 
 

@@ -47,7 +47,8 @@ class RobotTree(TreePicture):
         robot = self._robot
         return f"RobotTree({robot.name}: {len(robot.links)} links, {len(robot.joints)} joints)"
 
-    def _drawing(self) -> Drawing:
+    def drawing(self) -> Drawing:
+        """Links and joints."""
         return _draw_robot_tree(self._robot)
 
 

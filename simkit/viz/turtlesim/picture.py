@@ -7,21 +7,19 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from pathlib import Path
 
 from simkit.nodes.turtlesim import Frame, Stroke, Turtle
 from simkit.nodes.turtlesim.window import SIDE_PX, Point, hex_rgb, pixel
 from simkit.viz.draw.drawing import Area, Drawing, Ellipse, Group, Label, Plain, Polyline, Shape
-from simkit.viz.draw.files import save_as
-from simkit.viz.draw.svg import svg_text
+from simkit.viz.draw.files import DrawnPicture
 from simkit.viz.draw.thinning import simplified
 
 INVISIBLE_PX = 0.05  # a trail may be moved by so much to save points
 LABEL_PX = 13.0
 
 
-class Picture:
-    """What the window of turtlesim shows at one moment; it does not change afterwards.
+class Picture(DrawnPicture):
+    """What the window of turtlesim shows at one moment, 500 x 500 pixels; it does not change afterwards.
 
     Trails lie in the order in which they began, turtles above them in the order of their names.
 
@@ -30,29 +28,14 @@ class Picture:
         names: Write each turtle's name below it.
     """
 
+    SCALE = 1.0
+
     def __init__(self, frame: Frame, *, names: bool = False) -> None:
         self._drawing = _drawing(frame, names=names)
 
-    def to_svg(self) -> str:
-        """The picture as an SVG document; equal pictures give equal text."""
-        return svg_text(self._drawing)
-
-    def to_png(self, scale: float = 1) -> bytes:
-        """The picture as a PNG file of 500 x 500 pixels, times `scale`."""
-        from simkit.viz.draw.figure import png_bytes
-
-        return png_bytes(self._drawing, scale=scale)
-
-    def save(self, path: str | Path) -> None:
-        """Write the picture to a file, as SVG or PNG by its suffix.
-
-        Raises:
-            UnknownNameError: The suffix is another one.
-        """
-        save_as(path, {".png": lambda: self.to_png(scale=2), ".svg": self.to_svg})
-
-    def _repr_svg_(self) -> str:
-        return self.to_svg()
+    def drawing(self) -> Drawing:
+        """The window."""
+        return self._drawing
 
     def _repr_png_(self) -> bytes:
         return self.to_png()

@@ -9,7 +9,7 @@ from typing import Any
 
 from simkit.nodes.joint_state_publisher import JointStatePublisherGui, SliderJoint
 from simkit.viz.widgets.kernel_loop import Later
-from simkit.viz.widgets.panel import Panel, picture_html, png_picture
+from simkit.viz.widgets.panel import Panel, picture_html
 
 _SETTLED = 0.1
 """So long after the last move the other views are drawn once more [s of wall-clock time]."""
@@ -43,12 +43,10 @@ class JointSliders(Panel):
         picture: Callable[[], bytes] | None = None,
         view: Any = None,
     ) -> None:
-        super().__init__(later=later, view=view)
+        super().__init__(later=later, view=view, png=picture)
         self._gui = gui
         self._run = run
-        self._png = picture
         self._shown: dict[str, float] = {}
-        self._is_waiting = False
 
     @property
     def gui(self) -> JointStatePublisherGui:
@@ -73,12 +71,9 @@ class JointSliders(Panel):
             "message": f"{self._gui.name} has ended" if has_ended else self._message,
         }
 
-    def picture(self) -> dict[str, str]:
-        """How the robot stands."""
-        if self._png is None:
-            return {}
-        stand = ", ".join(f"{joint.name} {_readout(joint)}" for joint in self._gui.joints)
-        return png_picture(self._png(), f"The robot with {stand}" if stand else "The robot")
+    def stand(self) -> str:
+        """The position of each joint."""
+        return ", ".join(f"{joint.name} {_readout(joint)}" for joint in self._gui.joints)
 
     def hear(self, message: Mapping[str, Any]) -> None:
         """A slider was moved, or a button pressed."""
@@ -146,12 +141,9 @@ class JointSliders(Panel):
         self._attempt(act)
         self.refresh()
         # Moves come faster than they can be shown: all that came meanwhile are one run.
-        if not self._is_waiting:
-            self._is_waiting = True
-            self._later.soon(self._advance)
+        self._soon(self._advance)
 
     def _advance(self) -> None:
-        self._is_waiting = False
         self._attempt(lambda: self._run(self._gui.period.to_sec()))
         self._later.after(_SETTLED, self._settle)
         self.refresh()

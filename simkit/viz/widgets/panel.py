@@ -40,19 +40,26 @@ class Panel:
     Args:
         later: Where a run waits for its turn; the kernel's event loop if None.
         view: A view with a `widget`, which is shown beside the controls.
+        png: Makes a small picture of the robot, which is shown where there is no view; without it, there is none.
     """
 
     SCRIPT: ClassVar[str]
     """Name of the script in the assets."""
 
-    def __init__(self, *, later: Later | None = None, view: Any = None) -> None:
+    def __init__(
+        self,
+        *,
+        later: Later | None = None,
+        view: Any = None,
+        png: Callable[[], bytes] | None = None,
+    ) -> None:
         self._later = later or KernelLoop()
         self._message = ""
-        self._view = view
+        self._view, self._png = view, png
         self._front: Any = None
         self._box: Any = None
         self._still: SavedStill | None = None
-        self._is_drawing = False
+        self._is_drawing = self._is_waiting = False
 
     def state(self) -> dict[str, Any]:
         """What the script shows, as JSON."""
@@ -68,7 +75,14 @@ class Panel:
 
     def picture(self) -> dict[str, str]:
         """The picture beside the controls: `svg`, or `png` in base64 with its `words`; empty without one."""
-        return {}
+        if self._png is None:
+            return {}
+        stand = self.stand()
+        return png_picture(self._png(), f"The robot with {stand}" if stand else "The robot")
+
+    def stand(self) -> str:
+        """How the robot in the picture stands, for screen readers; empty if nothing is known."""
+        return ""
 
     @property
     def widget(self) -> Any:
@@ -108,6 +122,16 @@ class Panel:
             self.say(str(error))
             return False
         return True
+
+    def _soon(self, work: Callable[[], None]) -> None:
+        """Do something when nothing else runs; once, however often it is asked for meanwhile."""
+        if not self._is_waiting:
+            self._is_waiting = True
+            self._later.soon(lambda: self._work(work))
+
+    def _work(self, work: Callable[[], None]) -> None:
+        self._is_waiting = False
+        work()
 
     def _draw(self) -> None:
         self._is_drawing = False

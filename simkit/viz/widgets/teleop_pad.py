@@ -136,9 +136,8 @@ class TeleopPad(Panel):
 
     def _on_press(self, key: str) -> None:
         # Presses may come faster than the simulation runs: then the last one counts.
-        is_first, self._wanted = self._wanted is None, key
-        if is_first:
-            self._later.soon(self._advance)
+        self._wanted = key
+        self._soon(self._advance)
 
     def _on_run(self, *, wanted: bool) -> None:
         self._is_running = wanted

@@ -12,7 +12,7 @@ from simkit.graph import Graph, Node
 from simkit.msgs import Duration, message_class
 from simkit.urdf import Joint, JointType, load_robot
 from simkit.viz.widgets.kernel_loop import Later
-from simkit.viz.widgets.panel import Panel, png_picture
+from simkit.viz.widgets.panel import Panel
 
 SLICE = 0.1
 """So much virtual time passes in one go [s], so that other views see the motion."""
@@ -75,8 +75,7 @@ class TrajectorySliders(Panel):
         picture: Callable[[], bytes] | None = None,
         view: Any = None,
     ) -> None:
-        super().__init__(later=later, view=view)
-        self._png = picture
+        super().__init__(later=later, view=view, png=picture)
         self._node, self._controller, self._run = node, controller, run
         self._joints = {joint.name: joint for joint in joints}
         self._duration = _checked(duration)
@@ -87,7 +86,6 @@ class TrajectorySliders(Panel):
         self._goal = {
             name: joint.clipped(actual.get(name, 0.0)) for name, joint in self._joints.items()
         }
-        self._is_waiting = False
 
     @property
     def goal(self) -> dict[str, float]:
@@ -144,22 +142,19 @@ class TrajectorySliders(Panel):
             "message": self._message,
         }
 
-    def picture(self) -> dict[str, str]:
-        """How the robot stands."""
-        if self._png is None:
-            return {}
-        stand = ", ".join(f"{name} at {value:.3f}" for name, value in self.actual().items())
-        return png_picture(self._png(), f"The robot with {stand}" if stand else "The robot")
+    def stand(self) -> str:
+        """Where each joint is."""
+        return ", ".join(f"{name} at {value:.3f}" for name, value in self.actual().items())
 
     def hear(self, message: Mapping[str, Any]) -> None:
         """A slider was let go, the button pressed, or another duration typed."""
         match message:
             case {"move": str(name), "to": float() | int() as position} if name in self._joints:
                 self._goal[name] = self._joints[name].clipped(position)
-                self._soon()
+                self._soon(self._advance)
             case {"press": "All to zero"}:
                 self._goal = {name: joint.clipped(0.0) for name, joint in self._joints.items()}
-                self._soon()
+                self._soon(self._advance)
             case {"duration": float() | int() as duration}:
                 self._attempt(lambda: self._set_duration(duration))
 
@@ -190,13 +185,7 @@ class TrajectorySliders(Panel):
 
     # -- motions
 
-    def _soon(self) -> None:
-        if not self._is_waiting:
-            self._is_waiting = True
-            self._later.soon(self._advance)
-
     def _advance(self) -> None:
-        self._is_waiting = False
         if self._attempt(lambda: self._send(self._duration)):
             self.say("" if self._publisher.num_connections else _silence(self._publisher.topic))
         self.refresh()
