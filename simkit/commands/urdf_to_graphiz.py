@@ -19,7 +19,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _answer(arguments: argparse.Namespace) -> Answer:
-    from simkit.urdf.loading import (
+    from simkit.urdf.loader import (
         read_robot_file,
         robot_of,
     )  # slow to load, and not needed for the help

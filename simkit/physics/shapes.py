@@ -174,7 +174,7 @@ def _name(shelf: _Shelf, member: Member, collision: Collision) -> str:
     """Name of a collision: that of its link or its own, with the name of the body that took it in.
 
     Source:
-        sdformat's conversion: `<link>_collision`, further ones `_1`, `_2`; of a link that was grouped
+        sdformat's conversion: `<link>_collision`, further ones `_1`, `_2`; of a link that was merged
         `<body>_fixed_joint_lump__<link>_collision`.
     """
     own = collision.name or member.link.name

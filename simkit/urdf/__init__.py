@@ -8,7 +8,7 @@ teacher would say about it. `load_robot` gives the robot, or one line that says 
 """
 
 from simkit.geometry import Vector
-from simkit.urdf.loading import UrdfError, load_robot, read_robot_file
+from simkit.urdf.loader import UrdfError, load_robot, read_robot_file
 from simkit.urdf.model import (
     Box,
     Collision,

@@ -26,7 +26,7 @@ from simkit.geometry import (
     quaternion_from_rpy,
     rotate,
 )
-from simkit.urdf.loading import UrdfError
+from simkit.urdf.loader import UrdfError
 from simkit.urdf.model import Joint, JointType, Robot
 from simkit.urdf.urdfdom.tree import children_by_link
 

@@ -14,11 +14,9 @@ from simkit.packages import PackagePath
 from simkit.urdf.meshes import MeshFinder
 from simkit.urdf.model import Joint, Link, Material, Robot
 from simkit.urdf.urdfdom.joints import read_joint
-from simkit.urdf.urdfdom.links import RawLink, read_link
-from simkit.urdf.urdfdom.log import Log
-from simkit.urdf.urdfdom.numbers import MalformedError, check_version
-from simkit.urdf.urdfdom.shapes import read_global_material
-from simkit.urdf.urdfdom.tree import NoTreeError, find_loop, find_root
+from simkit.urdf.urdfdom.links import RawLink, read_global_material, read_link
+from simkit.urdf.urdfdom.numbers import Log, MalformedError, check_version
+from simkit.urdf.urdfdom.tree import NoTreeError, find_root, loop_below
 from simkit.urdf.urdfdom.xml_verdict import XmlRefusedError, robot_element
 from simkit.xml import Document, Element, parse_xml
 
@@ -190,7 +188,7 @@ class _Reader:
         links = self._read_links(robot)
         joints = self._read_joints(robot)
         root = find_root(links, joints)
-        loop = find_loop(root, joints)
+        loop = loop_below(root, joints)
         if loop:
             raise _RefusedError(
                 f"The links hang on each other in a circle: {' -> '.join(loop)} (parent -> child)"

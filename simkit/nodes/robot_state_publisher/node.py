@@ -20,7 +20,7 @@ from simkit.nodes.robot_state_publisher.joint_messages import (
 from simkit.nodes.robot_state_publisher.segments import segments_of
 from simkit.tf import StaticTransformBroadcaster, TransformBroadcaster
 from simkit.urdf import Robot, read_robot
-from simkit.urdf.loading import robot_of
+from simkit.urdf.loader import robot_of
 
 PARAMETER = "robot_description"
 """Parameter with the text of the URDF file."""

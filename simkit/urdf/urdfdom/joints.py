@@ -7,8 +7,7 @@ from contextlib import contextmanager
 
 from simkit.geometry import Vector
 from simkit.urdf.model import Joint, JointType, Limit, Mimic, Pose, Safety
-from simkit.urdf.urdfdom.log import Log
-from simkit.urdf.urdfdom.numbers import MalformedError, number_of, origin_of, to_vector
+from simkit.urdf.urdfdom.numbers import Log, MalformedError, number_of, origin_of, to_vector
 from simkit.xml import Element
 
 _TYPES = {type_.value: type_ for type_ in JointType}

@@ -1,4 +1,4 @@
-"""Numbers, vectors, colours and versions as urdfdom reads them.
+"""Numbers, vectors, colours and versions as urdfdom reads them, and the log of what it says of them.
 
 A number is what a C++ stream reads in the C locale, and nothing may follow it, not even a space.
 """
@@ -16,6 +16,23 @@ _NUMBER = re.compile(r"[\t-\r ]*[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-
 _INTEGER = r"(?s)[\t-\r ]*([+-]?[0-9]+)(.*)"
 _LONGEST = 20
 "So many letters of an integer are enough to tell it from 1 and 0."
+
+
+class Log:
+    """Collects lines. Where in its own source urdfdom was ("at line N in ...") is left out."""
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+        """The lines, with the level in front."""
+
+    def error(self, text: str) -> None:
+        """Something that urdfdom calls an error; without words it says nothing."""
+        if text:
+            self.lines.append(f"Error:   {text}")
+
+    def warning(self, text: str) -> None:
+        """Something that urdfdom warns of."""
+        self.lines.append(f"Warning: {text}")
 
 
 class MalformedError(Exception):

@@ -40,7 +40,7 @@ def children_by_link(joints: Mapping[str, Joint]) -> dict[str, list[Joint]]:
     return below
 
 
-def find_loop(root: str, joints: Mapping[str, Joint]) -> list[str]:
+def loop_below(root: str, joints: Mapping[str, Joint]) -> list[str]:
     """Links below the root that hang on each other in a circle, first and last the same; mostly none.
 
     urdfdom does not look for them: check_urdf then prints for ever, and so does whoever walks its tree.

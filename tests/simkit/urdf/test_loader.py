@@ -6,7 +6,7 @@ from simkit.diagnostics import Diagnostic, Severity
 from simkit.errors import SimkitError
 from simkit.urdf import UrdfError, load_robot, read_robot, read_robot_file
 from simkit.urdf import rules as urdf_rules
-from simkit.urdf.loading import robot_of
+from simkit.urdf.loader import robot_of
 from simkit.xml import Span
 
 NO_LINK = '<robot name="r"/>'
