@@ -15,7 +15,7 @@ from simkit.commands.graph_facts import is_below, resolved
 from simkit.commands.parameter_yaml import dump_parameters, load_parameters
 from simkit.commands.parser import ArgumentParser
 from simkit.graph import Graph
-from simkit.graph.sendable import why_unsendable
+from simkit.graph.params import why_unsendable
 
 _NAMESPACE_KEY = "_ns"
 "As the first key of a YAML document: the namespace of all that follows."

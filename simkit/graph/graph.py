@@ -8,11 +8,10 @@ from typing import Any, Protocol
 from simkit.errors import UnknownNameError
 from simkit.graph.errors import GraphError
 from simkit.graph.executor import Executor
-from simkit.graph.log import LogLevel, LogRecord
+from simkit.graph.log import LogLevel, LogRecord, Screen
 from simkit.graph.names import is_legal_name
 from simkit.graph.node import Node
 from simkit.graph.params import ParameterServer
-from simkit.graph.screen import Screen
 from simkit.graph.services import Reply, Responder, ServiceServer
 from simkit.graph.topics import Publisher, Sink, Subscription, Topic
 from simkit.msgs import Message, Time

@@ -1,17 +1,20 @@
 """The parameter server: a tree of values under global names.
 
-Source: rosmaster's `ParamDictionary` (a parameter that is a dict is a namespace; setting one replaces what was below it).
+Source: rosmaster's `ParamDictionary` (a parameter that is a dict is a namespace; setting one replaces what was below it), and
+XML-RPC as rosmaster speaks it: whole numbers of 32 bits, no empty value, keys that are texts.
 """
 
 from __future__ import annotations
 
 import copy
+from dataclasses import dataclass
 from typing import Any
 
 from simkit.errors import UnknownNameError
 from simkit.graph.errors import GraphError
 
 _MISSING = object()
+_INT_LIMIT = 2**31
 
 
 class ParameterServer:
@@ -107,3 +110,45 @@ def _leaves(prefix: str, tree: dict[str, Any]) -> list[str]:
         else:
             names.append(f"{prefix}/{key}")
     return names
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Unsendable:
+    """Why a value cannot be sent."""
+
+    cause: str
+    """What ROS says."""
+    what: str
+    """The same for people."""
+
+
+def why_unsendable(value: Any) -> Unsendable | None:
+    """Why a value cannot be that of a parameter; None if it can.
+
+    Args:
+        value: Any value of YAML; it must not stand in itself.
+    """
+    parts = [value]
+    while parts:
+        part = parts.pop()
+        if isinstance(part, dict):
+            parts += [*part.keys(), *part.values()]
+        elif isinstance(part, list):
+            parts += part
+        elif found := _of_one(part):
+            return found
+    return None
+
+
+def _of_one(part: Any) -> Unsendable | None:
+    if part is None:
+        cause = "cannot marshal None unless allow_none is enabled"
+        return Unsendable(cause=cause, what="a parameter cannot be empty (null)")
+    if isinstance(part, int) and not -_INT_LIMIT <= part < _INT_LIMIT:
+        return Unsendable(cause="int exceeds XML-RPC limits", what=f"{part} is too large")
+    if isinstance(part, bool | int | float | str | bytes):
+        return None
+    kind = type(part)
+    return Unsendable(
+        cause=f"cannot marshal {kind} objects", what=f"{part} is a {kind.__name__} in YAML"
+    )

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from simkit.diagnostics import Diagnostic, Severity
-from simkit.graph.sendable import why_unsendable
+from simkit.graph.params import why_unsendable
 from simkit.launch.errors import Kind, LaunchPlace, LaunchRefused, Lesson, diagnostic_of, ours
 from simkit.launch.files import Budget, Files
 from simkit.launch.plan import ArgumentDoc, Origin, ParameterStep, PlannedNode

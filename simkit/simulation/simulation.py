@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from simkit.graph import Executor, Graph, LogRecord
 from simkit.graph.errors import GraphError
 from simkit.graph.executor import nanoseconds
+from simkit.graph.log import Screen, StreamScreen
 from simkit.graph.names import split_command_line
 from simkit.graph.params import ParameterServer
 from simkit.graph.process import (
@@ -19,7 +20,6 @@ from simkit.graph.process import (
     StartSpec,
     shared_runtime,
 )
-from simkit.graph.screen import Screen, StreamScreen
 from simkit.msgs import Time
 from simkit.nodes import builtin_nodes
 from simkit.nodes.builtin import RunningBuiltin

@@ -1,4 +1,6 @@
-"""The parameter server."""
+"""The parameter server, and what ROS can send to it."""
+
+import datetime
 
 import pytest
 from hypothesis import given
@@ -6,6 +8,7 @@ from hypothesis import strategies as st
 
 from simkit.errors import UnknownNameError
 from simkit.graph import ParameterServer
+from simkit.graph.params import why_unsendable
 
 
 @pytest.fixture
@@ -72,3 +75,26 @@ def test_the_last_value_set_is_the_value(pairs):
         assert params.get(name) == value
     for name in params.names():
         assert params.has(name)
+
+
+@pytest.mark.parametrize(
+    "value", [0, -(2**31), 2**31 - 1, 1.5, True, "a", b"a", [], {}, [1, [2.5, {"a": "b"}]]]
+)
+def test_what_can_be_sent(value):
+    assert why_unsendable(value) is None
+
+
+@pytest.mark.parametrize(
+    ("value", "cause", "what"),
+    [
+        (None, "cannot marshal None unless allow_none is enabled", "(null)"),
+        (2**31, "int exceeds XML-RPC limits", "2147483648 is too large"),
+        (datetime.date(2020, 1, 2), "cannot marshal <class 'datetime.date'> objects", "a date"),
+        ({1: None}, "cannot marshal None unless allow_none is enabled", "(null)"),
+    ],
+)
+@pytest.mark.parametrize("around", [lambda one: one, lambda one: {"a": [1, {"b": one}]}])
+def test_what_cannot(value, cause, what, around):
+    found = why_unsendable(around(value))
+    assert found.cause == cause
+    assert what in found.what

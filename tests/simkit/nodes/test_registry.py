@@ -10,6 +10,7 @@ from simkit.nodes import builtin_nodes
 from simkit.nodes.joint_state_publisher import JointStatePublisher, JointStatePublisherGui
 from simkit.nodes.robot_state_publisher import RobotStatePublisher, StatePublisher
 from simkit.nodes.turtlesim import DrawSquare, TurtleMimic, TurtlesimNode, TurtleTeleop
+from tests.laws import broken_laws
 
 CLASSES = {
     "turtlesim_node": ("/turtlesim", TurtlesimNode),
@@ -45,8 +46,10 @@ def test_the_publishers_of_a_robot_start_under_the_names_of_their_packages(bench
 
 
 def test_keys_are_the_names_of_their_entries() -> None:
-    assert all(
-        key == (builtin.package, builtin.executable) for key, builtin in builtin_nodes().items()
+    nodes = builtin_nodes().items()
+    broken_laws(
+        {key: node for key, node in nodes if key != (node.package, node.executable)},
+        "the key of an entry in simkit/nodes/registry.py is its package and its executable",
     )
 
 
@@ -56,7 +59,13 @@ def test_the_registry_imports_no_node_and_no_node_imports_matplotlib() -> None:
         "assert 'simkit.nodes.turtlesim' not in sys.modules;"
         "import simkit.nodes.turtlesim; assert 'matplotlib' not in sys.modules"
     )
-    subprocess.run([sys.executable, "-c", program], check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=False
+    )
+    broken_laws(
+        done.stderr.splitlines(),
+        "simkit/nodes/registry.py names modules as text, and a node imports matplotlib where it draws",
+    )
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import pytest
 from simkit import SimkitError, Simulation, UnknownNameError
 from simkit.commands.table import run_command
 from simkit.graph import GraphError, LogLevel, ServiceFailed
-from simkit.graph.screen import StreamScreen
+from simkit.graph.log import StreamScreen
 from simkit.msgs import Time, message_class
 
 START = 1_600_088_400
