@@ -15,7 +15,7 @@ from simkit.nodes.program import Program
 USAGE: Final = "usage: gzclient [--verbose]"
 HINT: Final = "sim.gzclient() shows the world, sim.gzclient(live=True) follows it"
 HINT_AFTER: Final = Duration.from_nsec(250_000_000)
-"""When a node whose window nobody has opened says how it is opened."""
+"""When a node whose window nobody has opened logs how it is opened."""
 _FLAGS: Final = ("--verbose", "-q", "--quiet")
 _WITH_VALUE: Final = ("-g", "--gui-plugin", "--gui-client-plugin")
 

@@ -86,7 +86,7 @@ class _Finder(MetaPathFinder, Loader):
 
 
 class _Adviser(MetaPathFinder):
-    """Comes last: says which package was meant by a name that nothing else found."""
+    """Comes last: explains which package was meant by a name that nothing else found."""
 
     def find_spec(
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None

@@ -1,6 +1,6 @@
 """TF: where each coordinate frame is, seen from each other, at each moment of the last seconds.
 
-`BufferCore` is the idea, in integers and tuples; `Buffer` speaks messages; `TransformListener`
+`BufferCore` is the idea, in integers and tuples; `Buffer` takes and gives messages; `TransformListener`
 and the broadcasters connect a node. `simkit.tf.transformations` is tf's library of rotations.
 
 One rule: T_ab takes coordinates in b to coordinates in a, and is the pose of b seen from a. So

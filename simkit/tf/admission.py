@@ -105,7 +105,7 @@ def rotation_advice(child: str, rotation: Quaternion) -> str:
 class BroadcasterWatch:
     """Remembers who broadcast each frame.
 
-    A node that takes over from another is no fault; two that alternate are, and tf says nothing.
+    A node that takes over from another is no fault; two that alternate are, which tf does not report.
     """
 
     def __init__(self) -> None:
@@ -122,7 +122,7 @@ class BroadcasterWatch:
             authority: The node that sent it.
 
         Returns:
-            A sentence, the first time that a former broadcaster is heard again; else empty.
+            A sentence, the first time that a former broadcaster sends again; else empty.
         """
         parents = self._parents.setdefault(child, {})
         alternates = authority in parents and self._last[child] != authority

@@ -33,7 +33,7 @@ class TransformBroadcaster:
 
 
 class StaticTransformBroadcaster:
-    """Sends transforms that hold for ever; a node that subscribes later hears them all.
+    """Sends transforms that hold for ever; a node that subscribes later receives them all.
 
     Args:
         node: In-process node that publishes.

@@ -1,4 +1,4 @@
-"""The buffer that speaks messages: geometry_msgs/TransformStamped in and out."""
+"""The buffer of messages: geometry_msgs/TransformStamped in and out."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class Buffer:
             authority: Node that broadcast it.
 
         Returns:
-            Whether it was stored; if not, `on_warning` has been told why.
+            Whether it was stored; if not, `on_warning` was given the reason.
         """
         return self._store(transform, authority, static=False)
 

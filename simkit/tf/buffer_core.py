@@ -69,7 +69,7 @@ class BufferCore:
             static: Whether it holds at every time; the first transform of a frame decides.
 
         Returns:
-            Whether it was stored; if not, `on_warning` has been told why.
+            Whether it was stored; if not, `on_warning` was given the reason.
         """
         parent, child = without_slash(parent), without_slash(child)
         faults: list[str] = []
@@ -102,7 +102,7 @@ class BufferCore:
     def lookup(self, target: str, source: str, *, time: int = LATEST) -> StampedTransform:
         """T_ab for a = `target` and b = `source`.
 
-        A frame seen from itself is the identity, also if nobody ever heard of it.
+        A frame seen from itself is the identity, also if its name is unknown.
 
         Raises:
             InvalidArgumentException: A name is empty or starts with a slash.
@@ -145,7 +145,7 @@ class BufferCore:
         return StampedTransform(_canonical(product), to_target.stamp)
 
     def can_transform(self, target: str, source: str, *, time: int = LATEST) -> tuple[bool, str]:
-        """Whether `lookup` would answer, and if not, why (empty for a name that is no name)."""
+        """Whether `lookup` would answer, and if not, why (empty for an invalid name)."""
         if target == source:
             return True, ""
         names = {"target_frame": target, "source_frame": source}
@@ -242,7 +242,7 @@ class BufferCore:
         raise LookupException(f'"{name}" passed to {role} does not exist. ', frame=name)
 
     def _are_names(self, names: dict[str, str]) -> bool:
-        """Whether all can be names of frames; tells `on_warning` of the first that cannot."""
+        """Whether all can be names of frames; `on_warning` is given the first that cannot."""
         for role, name in names.items():
             fault = _name_fault(name, f"canTransform argument {role}")
             if fault:

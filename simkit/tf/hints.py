@@ -1,4 +1,4 @@
-"""What to tell a learner whose lookup failed: what exists, by how much it missed, what to do."""
+"""Hints for a learner whose lookup failed: what exists, by how much it missed, what to do."""
 
 from __future__ import annotations
 

@@ -38,17 +38,17 @@ class TransformListener:
 
 
 class TransformFeed:
-    """Stores the transforms of tf2_msgs/TFMessage messages, and says what is wrong with them.
+    """Stores the transforms of tf2_msgs/TFMessage messages, and warns of what is wrong with them.
 
-    A fault that comes with every message is told the 1st, 10th, 100th, ... time only.
+    A fault that comes with every message is logged the 1st, 10th, 100th, ... time only.
 
     Args:
-        buffer: Where the transforms go. Its warnings are told to `warn` from now on.
+        buffer: Where the transforms go. Its warnings go to `warn` from now on.
         now_ns: Current time [ns]; the buffer is cleared when it jumps back.
         warn: Is given each sentence.
 
     Source:
-        tf2_ros `TransformListener`; it tells a fault every time.
+        tf2_ros `TransformListener`; it logs a fault every time.
     """
 
     def __init__(
@@ -81,7 +81,7 @@ class TransformFeed:
             if store(transform, authority):
                 self._notice_rivals(transform, authority)
             else:
-                self._tell_faults(transform, authority)
+                self._log_faults(transform, authority)
         self._buffer.on_warning = self._warn
 
     def _clear_on_jump_back(self) -> None:
@@ -99,7 +99,7 @@ class TransformFeed:
         if sentence:
             self._warn(sentence)
 
-    def _tell_faults(self, transform: Any, authority: str) -> None:
+    def _log_faults(self, transform: Any, authority: str) -> None:
         faults = list(self._faults)
         self._faults.clear()
         kinds = (fault.split(maxsplit=1)[0] for fault in faults)

@@ -155,7 +155,7 @@ def climbed_between(table: FrameTable, target: int, source: int, *, time: int) -
 
 
 def frames_between(table: FrameTable, target: int, source: int, *, time: int) -> list[int]:
-    """Numbers of the frames on the way, from the source to the target; none if they are one.
+    """Numbers of the frames on the way, from the source to the target; empty if they are one.
 
     Raises:
         TransformException: As `transform_between`.
@@ -185,7 +185,7 @@ def _ancestors(table: FrameTable, frame: int, time: int) -> list[int]:
 def _no_way(
     table: FrameTable, target: int, source: int, *, time: int, climbs: tuple[Climb, Climb]
 ) -> TransformException:
-    """What tf says when two climbs do not meet: the target's lack of data comes first."""
+    """The error of tf for two climbs that do not meet: the target's lack of data comes first."""
     up, down = climbs
     lacking = down if down.lacks_data else up
     if not lacking.lacks_data:

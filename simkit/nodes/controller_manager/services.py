@@ -21,7 +21,7 @@ STRICT, BEST_EFFORT = 2, 1
 POLL_SECONDS = 0.1
 """How often a program looks whether a service is there [s]."""
 PATIENCE_SECONDS = 5.0
-"""After so long a wait it says what could be wrong [s]."""
+"""After so long a wait it logs what could be wrong [s]."""
 _MANAGER = "controller_manager"
 _PLUGIN = "libgazebo_ros_control.so"
 

@@ -101,13 +101,13 @@ class Spawner(Program):
         yield from self._load_and_start()
 
     def _wait_for_topic(self, topic: str, timeout_s: float | None) -> Routine:
-        heard: list[Any] = []
+        received: list[Any] = []
         node = self._node
-        node.subscribe(topic, message_class("std_msgs/Bool"), heard.append)
+        node.subscribe(topic, message_class("std_msgs/Bool"), received.append)
         begin_ns, has_warned = node.graph.executor.now_ns, False
-        while not (heard and heard[-1].data):
+        while not (received and received[-1].data):
             waited_s = (node.graph.executor.now_ns - begin_ns) / 1e9
-            if not heard and not has_warned and timeout_s is not None and waited_s > timeout_s:
+            if not received and not has_warned and timeout_s is not None and waited_s > timeout_s:
                 has_warned = True
                 node.warn(
                     f'Controller Spawner hasn\'t heard anything from its "wait for" topic ({topic})'

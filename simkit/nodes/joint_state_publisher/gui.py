@@ -92,7 +92,7 @@ class JointStatePublisherGui(JointStatePublisher):
         )
 
     def set_position(self, name: str, value: float) -> None:
-        """Move a joint to exactly this position [rad or m]; the next message tells it.
+        """Move a joint to exactly this position [rad or m]; the next message has it.
 
         Raises:
             UnknownNameError: No joint of that name has a slider.

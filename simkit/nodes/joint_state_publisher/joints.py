@@ -1,4 +1,4 @@
-"""Which joints of a robot the publisher speaks of, how far they go, and which follow others.
+"""Which joints of a robot are published, how far they go, and which follow others.
 
 The program looks at the XML alone: it takes robots that urdfdom refuses, as long as they are
 well-formed.
@@ -35,7 +35,7 @@ class FreeJoint:
     unit: str
     """Unit of its position: `rad` or `m`."""
     position: float | None
-    """Where it stands [rad or m]; None if nobody has said so."""
+    """Where it stands [rad or m]; None if it is unknown."""
     velocity: float | None
     """How fast it is [rad/s or m/s]."""
     effort: float | None
@@ -72,10 +72,10 @@ def read_joints(settings: SliderSettings, warn: Callable[[str], None]) -> RobotJ
 
     Args:
         settings: The robot, and what to make of it.
-        warn: Is told of joints without a range.
+        warn: Logs joints without a range.
 
     Raises:
-        Crash: The text is not well-formed XML, or a number in it is none.
+        Crash: The text is not well-formed XML, or an attribute is not a number.
     """
     robot = _robot_element(settings.description)
     joints = RobotJoints(names=(), free={}, followers=_followers_of(settings))

@@ -17,7 +17,7 @@ class JointStatePublisher(Program):
     """The program `joint_state_publisher` of the package of that name.
 
     It reads the robot once, at its start. If it cannot, it prints the last line of the traceback
-    that the original ends with, says on rosout what to do, and leaves with exit code 1.
+    that the original ends with, logs what to do, and leaves with exit code 1.
 
     Args:
         node: Its place in the graph.
@@ -43,7 +43,7 @@ class JointStatePublisher(Program):
         for topic in settings.source_list:
             self._node.subscribe(topic, message, self._take)
         self._publisher = self._node.advertise("joint_states", message, queue_size=5)
-        # The first message belongs to the start; whoever starts at this instant hears it too.
+        # The first message belongs to the start; a node that starts at this instant receives it too.
         self._node.graph.executor.call_soon(self._publish)
         self._node.create_timer(self.period, self._publish)
 
@@ -64,8 +64,8 @@ class JointStatePublisher(Program):
             self._end(crash)
 
     def _end(self, crash: Crash) -> None:
-        if crash.said:
-            self._print(f"{crash.said}\n")
+        if crash.last_line:
+            self._print(f"{crash.last_line}\n")
         self._node.error(str(crash))
         self._exit(1)
 
@@ -104,12 +104,12 @@ class JointTable:
         return tuple(row.name for row in self._rows)
 
     def take(self, message: Any) -> None:
-        """Take over what a JointState message says of free joints."""
+        """Take over the states of free joints in a JointState message."""
         for index, name in enumerate(message.name):
             joint = self.free.get(name)
             if joint is None:
                 continue
-            # An array that is empty says nothing; one that is too short says something of the first.
+            # An empty array changes nothing; one that is too short changes the first joints.
             if index < len(message.position):
                 joint.position = message.position[index]
             if index < len(message.velocity):

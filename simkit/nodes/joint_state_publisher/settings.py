@@ -18,13 +18,13 @@ class Crash(SimkitError):
     """The program cannot go on: where the original ends with a traceback, this one ends with its last line.
 
     Args:
-        said: Last line of the traceback that the original ends with; empty if it has none.
+        last_line: Last line of the traceback that the original ends with; empty if it has none.
         text: What is wrong and what to do, in a sentence for people.
     """
 
-    def __init__(self, said: str, text: str) -> None:
+    def __init__(self, last_line: str, text: str) -> None:
         super().__init__(text)
-        self.said = said
+        self.last_line = last_line
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,7 +67,7 @@ def read_settings(node: Node) -> SliderSettings:
     """The settings of a node.
 
     Raises:
-        Crash: There is no robot, or a value is of no use.
+        Crash: There is no robot, or a value is invalid.
     """
     return SliderSettings(
         description=_description(node),
@@ -88,7 +88,7 @@ def to_number(value: object, what: str) -> float:
     """A value as a number.
 
     Raises:
-        Crash: It is none.
+        Crash: It is not a number.
     """
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
         raise Crash("", f"{what} must be a number, not {value!r}")

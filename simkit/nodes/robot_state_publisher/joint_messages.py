@@ -51,22 +51,22 @@ class PublishGate:
 
 
 class Throttle:
-    """Lets something be said at most once in a while.
+    """Lets a line be logged at most once in a while.
 
     Args:
-        seconds: How long it is silent after it was said.
+        seconds: Least time between two lines [s].
     """
 
     def __init__(self, seconds: int) -> None:
         self._pause_ns = seconds * 10**9
-        self._said_ns: int | None = None
+        self._last_ns: int | None = None
 
     def permits(self, now_ns: int) -> bool:
-        """Whether it may be said now; if so, it counts as said."""
-        said = self._said_ns
-        if said is not None and said <= now_ns < said + self._pause_ns:
+        """Whether the line may be logged now; if so, it counts as logged."""
+        last = self._last_ns
+        if last is not None and last <= now_ns < last + self._pause_ns:
             return False
-        self._said_ns = now_ns
+        self._last_ns = now_ns
         return True
 
 
@@ -79,18 +79,18 @@ class MissingJoints:
 
     def __init__(self, joints: Iterable[str]) -> None:
         self._joints = tuple(joints)
-        self._moved: set[str] = set()
-        self._heard = 0
+        self._positioned: set[str] = set()
+        self._messages = 0
         self._unstamped = 0
 
-    def heard(self, *, stamped: bool) -> None:
+    def count_message(self, *, stamped: bool) -> None:
         """A message has come."""
-        self._heard += 1
+        self._messages += 1
         self._unstamped += not stamped
 
-    def moved(self, joints: Iterable[str]) -> None:
+    def note_positions(self, joints: Iterable[str]) -> None:
         """These joints have a position now."""
-        self._moved.update(joints)
+        self._positioned.update(joints)
 
     def hint(self, topic: str, publishers: Sequence[str]) -> str | None:
         """What is missing, in a sentence; None if nothing is.
@@ -99,7 +99,7 @@ class MissingJoints:
             topic: Resolved name of the topic with the joints' positions.
             publishers: Names of the nodes that publish on it.
         """
-        left = [name for name in self._joints if name not in self._moved]
+        left = [name for name in self._joints if name not in self._positioned]
         if not left:
             return None
         names = ", ".join(left)
@@ -110,9 +110,9 @@ class MissingJoints:
                 f"hint: nobody publishes {topic}, so {lost}: "
                 "start joint_state_publisher, or joint_state_publisher_gui for sliders"
             )
-        if not self._heard:
+        if not self._messages:
             return f"hint: {who} has not said anything on {topic} yet, so {lost}"
-        if self._unstamped == self._heard:
+        if self._unstamped == self._messages:
             return (
                 f"hint: the messages of {who} on {topic} have no time stamp, so {lost}: "
                 "set header.stamp to rospy.Time.now()"

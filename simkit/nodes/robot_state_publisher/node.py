@@ -35,7 +35,7 @@ _PAUSE = 10  # [s]
 class RobotStatePublisher(Program):
     """The program `robot_state_publisher` of the package of that name.
 
-    It reads the robot once, at its start; without one it says so and leaves with exit code 1.
+    It reads the robot once, at its start; without one it logs an error and leaves with exit code 1.
 
     Args:
         node: Its place in the graph; `~publish_frequency` [Hz], `~use_tf_static`,
@@ -46,7 +46,7 @@ class RobotStatePublisher(Program):
     def __init__(self, node: Node, _argv: list[str]) -> None:
         super().__init__(node)
         try:
-            robot = find_robot(node, lambda said: self._print(f"{said}\n"))
+            robot = find_robot(node, lambda line: self._print(f"{line}\n"))
         except SimkitError as error:
             node.error(str(error))
             self._exit(1)
@@ -61,7 +61,7 @@ class RobotStatePublisher(Program):
             interval.to_nsec(), ignore_stamps=self._switch("~ignore_timestamp", default=False)
         )
         self._use_tf_static = self._switch("~use_tf_static", default=True)
-        self._last_heard = Time(0)
+        self._last_stamp = Time(0)
         self._empty, self._old, self._unknown = (
             Throttle(_EMPTY_PAUSE),
             Throttle(_PAUSE),
@@ -98,11 +98,11 @@ class RobotStatePublisher(Program):
 
     def _on_joint_state(self, state: Any) -> None:
         stamp: Time = state.header.stamp
-        self._missing.heard(stamped=bool(stamp.to_nsec()))
+        self._missing.count_message(stamped=bool(stamp.to_nsec()))
         if len(state.name) != len(state.position):
             self._refuse(state)
             return
-        self._look_at_clock(stamp)
+        self._check_clock(stamp)
         now_ns = self._node.now().to_nsec()
         if self._gate.counts(state.name, stamp_ns=stamp.to_nsec(), now_ns=now_ns):
             self._publish_moving(self._positions(state), stamp)
@@ -117,9 +117,9 @@ class RobotStatePublisher(Program):
                 f"This message will not reappear for {_EMPTY_PAUSE} seconds."
             )
 
-    def _look_at_clock(self, stamp: Time) -> None:
+    def _check_clock(self, stamp: Time) -> None:
         now = self._node.now()
-        if self._last_heard > now:
+        if self._last_stamp > now:
             self._node.warn(
                 "Moved backwards in time (probably because ROS clock was reset), "
                 "re-publishing joint transforms!"
@@ -127,7 +127,7 @@ class RobotStatePublisher(Program):
             self._gate.forget()
         if stamp + OLD < now and self._old.permits(now.to_nsec()):
             self._node.warn(f"Received JointState is {(now - stamp).to_sec():f} seconds old.")
-        self._last_heard = now
+        self._last_stamp = now
 
     def _positions(self, state: Any) -> dict[str, float]:
         """Position of each joint that is named, and of those that follow one of them."""
@@ -152,7 +152,7 @@ class RobotStatePublisher(Program):
                     f'Joint state with name: "{name}" was received but not found in URDF'
                 )
         self._moving_broadcaster.send_transform(messages)
-        self._missing.moved(positions)
+        self._missing.note_positions(positions)
 
     def _hint(self) -> None:
         self._hint_timer.cancel()
@@ -202,7 +202,7 @@ def find_robot(node: Node, log: Callable[[str], None]) -> Robot:
 
     Args:
         node: Whose namespace is searched, from the inside out.
-        log: Is given each thing that urdfdom says of the file, as it prints it.
+        log: Is given each line that urdfdom prints about the file.
 
     Raises:
         NoRobotError: There is no such parameter.

@@ -15,7 +15,7 @@ ROOT_INERTIA = (
     "The root link {root} has an inertia specified in the URDF, but KDL does not support a root "
     "link with an inertia.  As a workaround, you can add an extra dummy link to your URDF."
 )
-"""What KDL says of a robot whose root has a mass."""
+"""The warning of KDL for a robot whose root has a mass."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +37,7 @@ class LinkSegment:
         Args:
             position: Of the joint [rad or m].
             stamp: Time for which it holds.
-            prefix: What stands before each frame name, as `prefixed` says.
+            prefix: What stands before each frame name, see `prefixed`.
         """
         message: Any = message_class("geometry_msgs/TransformStamped")()
         message.header.stamp = stamp
@@ -69,8 +69,8 @@ def segments_of(
 
     Args:
         robot: The robot.
-        info: Is told of floating joints, which have no transform.
-        warn: Is told what KDL does not support.
+        info: Logs floating joints, which have no transform.
+        warn: Logs what KDL does not support.
     """
     if robot.links[robot.root].inertial is not None:
         warn(ROOT_INERTIA.format(root=robot.root))

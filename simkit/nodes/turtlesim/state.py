@@ -21,7 +21,7 @@ class Velocity:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TurtlePose:
-    """What turtlesim/Pose says: 32-bit values, y upwards from the lower left corner."""
+    """The content of turtlesim/Pose: 32-bit values, y upwards from the lower left corner."""
 
     x: float
     """To the right [m]."""

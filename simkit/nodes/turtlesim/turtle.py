@@ -1,6 +1,6 @@
 """One turtle: how it moves, teleports, meets the wall and draws.
 
-No graph and no clock here; `frame` says when to update, `endpoints` connects topics and services.
+No graph and no clock here; `frame` updates it, `endpoints` connects topics and services.
 
 As in turtlesim, the position is kept in metres from the window's upper left corner (`y_down`), in
 double precision; what is published is rounded to 32 bits.

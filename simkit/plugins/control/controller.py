@@ -34,7 +34,7 @@ class InitError(SimkitError):
     """A controller cannot be loaded.
 
     Args:
-        *texts: What is said, in the words of ros_control.
+        *texts: What is logged, in the words of ros_control.
         hint: What would be right.
     """
 
@@ -161,7 +161,7 @@ class Controller:
 
         Args:
             name: The joint.
-            refusal: What is said if there is none, with `{joint}`, `{controller}` and `{interface}` in it.
+            refusal: What is logged if there is none, with `{joint}`, `{controller}` and `{interface}` in it.
 
         Raises:
             InitError: There is none.

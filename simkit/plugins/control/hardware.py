@@ -103,12 +103,12 @@ def make_hardware(
     namespace: str,
     gains_namespace: str,
 ) -> RobotHardware:
-    """The motors that transmissions ask for; what is wrong with one is said, and it is left out.
+    """The motors that transmissions ask for; one that cannot be made is logged, and left out.
 
     Args:
-        node: Who says it, and whose parameters are read.
+        node: Whose log and whose parameters are used.
         model: The robot in the world.
-        robot: Its URDF, for kinds and limits of joints; None if it is of no use.
+        robot: Its URDF, for kinds and limits of joints; None if it is invalid.
         transmissions: Its transmissions.
         namespace: Where the parameters `joint_limits/...` are, without a slash at its end.
         gains_namespace: Where the parameters `gazebo_ros_control/pid_gains/...` are.

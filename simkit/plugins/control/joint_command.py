@@ -1,7 +1,8 @@
 """Controllers that follow the newest command: for one joint, or for a group of joints.
 
-The type's name says all: the package says how joints are commanded, `Group` how many there are, the last
-word what a command means. A command of the interface's own kind is forwarded; any other needs a PID.
+A controller is defined by the name of its type: the package names the interface of its joints, `Group` makes
+it one for several joints, the last word is the quantity of a command. A command of the interface's own kind
+is forwarded; any other needs a PID.
 
 Source: forward_command_controller, effort_controllers and velocity_controllers of ros_controllers, texts.
 """
@@ -24,7 +25,7 @@ NO_JOINT = (
     "Exception thrown while initializing controller '{controller}'.\n"
     "Could not find resource '{joint}' in '{interface}'."
 )
-"""What is said of a joint that is not there, or has another interface."""
+"""The error for a joint that is not there, or has another interface."""
 STATE_EVERY = 10
 """A PID of one joint publishes one update of so many."""
 _STATE = "control_msgs/JointControllerState"
@@ -79,7 +80,7 @@ class PidLaw:
 
     @property
     def process_value(self) -> tuple[float, float]:
-        """What is controlled, and what is said of its change: for a velocity it is the effort."""
+        """What is controlled, and its rate of change; ros_controllers publish the effort for a velocity's."""
         return self.joint.velocity, self.joint.effort
 
 

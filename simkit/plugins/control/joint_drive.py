@@ -36,7 +36,7 @@ class JointHandle:
     effort: float = 0.0
     """What its motor did [N m or N]."""
     command: float = 0.0
-    """Position, velocity or effort, as the interface says."""
+    """Position, velocity or effort, by the interface."""
 
 
 class JointDrive:

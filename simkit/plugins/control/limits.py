@@ -77,7 +77,7 @@ def _largest(value: float, given: Mapping[str, Any], kind: str) -> float:
 
 
 def _number(given: Mapping[str, Any], key: str) -> float | None:
-    """A parameter that is a number; None if it is not there, or none."""
+    """A parameter that is a number; None if it is missing or not finite."""
     value = given.get(key)
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
         return None

@@ -54,7 +54,7 @@ class Pid:
             rate: How fast the error grows [per s]; from the last error if None.
 
         Returns:
-            The command; 0 if no time has passed, or a number is none.
+            The command; 0 if no time has passed, or a number is NaN or infinite.
         """
         if period_s <= 0.0 or not math.isfinite(error):
             return 0.0
@@ -74,7 +74,7 @@ class Pid:
 
 
 NO_GAIN = "No p gain specified for pid.  Namespace: {namespace}"
-"""What is said where there are none."""
+"""The error for missing gains."""
 
 
 def read_gains(params: ParameterServer, namespace: str) -> Gains | None:

@@ -108,14 +108,14 @@ class GazeboRosControl(Plugin[ControlParameters]):
         period_ns = round(self.parameters.control_period * 1e9)
         if not period_ns:
             return
-        said = (
+        warning = (
             f"Desired controller update period ({period_ns / 1e9:.9f} s) is {{}} than the gazebo "
             f"simulation period ({self._step_ns / 1e9:.9f} s)."
         )
         if period_ns < self._step_ns:
-            self.site.node.error(said.format("faster"))
+            self.site.node.error(warning.format("faster"))
         elif period_ns > self._step_ns:
-            self.site.node.warn(said.format("slower"))
+            self.site.node.warn(warning.format("slower"))
             self._period_ns = -(-period_ns // self._step_ns) * self._step_ns
 
     def _description_name(self) -> str:

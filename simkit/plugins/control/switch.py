@@ -54,7 +54,7 @@ def plan_switch(
         start: Names of those to be started.
         stop: Names of those to be stopped.
         strictness: STRICT or BEST_EFFORT; 0 counts as the latter.
-        warn: Is given what is said by the way.
+        warn: Is given each warning.
 
     Raises:
         SwitchRefused: It cannot be done.

@@ -14,7 +14,7 @@ from .exceptions import ROSInterruptException
 
 DEBUG, INFO, WARN, ERROR, FATAL = 1, 2, 4, 8, 16
 _threshold = INFO
-_last_said: dict[tuple[Any, ...], tuple[int, str]] = {}
+_last_logged: dict[tuple[Any, ...], tuple[int, str]] = {}
 
 
 def set_level(level: int) -> None:
@@ -23,7 +23,7 @@ def set_level(level: int) -> None:
     _threshold = level
 
 
-def _say(level: int, msg: object, args: tuple[Any, ...]) -> None:
+def _log(level: int, msg: object, args: tuple[Any, ...]) -> None:
     if level < _threshold:
         return
     text = str(msg)
@@ -49,8 +49,8 @@ def _hints(values: tuple[Any, ...]) -> str:
 
 def _plain(level: int) -> Callable[..., None]:
     def log(msg: object, *args: Any, **_options: Any) -> None:
-        """Say a line on rosout; `%` arguments may follow."""
-        _say(level, msg, args)
+        """Log a line on rosout; `%` arguments may follow."""
+        _log(level, msg, args)
 
     return log
 
@@ -63,35 +63,35 @@ def _place() -> tuple[Any, ...]:
 
 def _throttled(level: int) -> Callable[..., None]:
     def log(period: float, msg: object, *args: Any, **_options: Any) -> None:
-        """Say a line on rosout, at most once in `period` [s] from one place of the script."""
+        """Log a line on rosout, at most once in `period` [s] from one place of the script."""
         key, now = (_place(), level), client.current().peek_ns()
-        last = _last_said.get(key)
+        last = _last_logged.get(key)
         if last is None or now - last[0] > round(period * 1e9):
-            _last_said[key] = (now, "")
-            _say(level, msg, args)
+            _last_logged[key] = (now, "")
+            _log(level, msg, args)
 
     return log
 
 
 def _throttled_identical(level: int) -> Callable[..., None]:
     def log(period: float, msg: object, *args: Any, **_options: Any) -> None:
-        """Say a line on rosout; the same text again only after `period` [s]."""
+        """Log a line on rosout; the same text again only after `period` [s]."""
         key, now = (_place(), level, "identical"), client.current().peek_ns()
-        last = _last_said.get(key)
+        last = _last_logged.get(key)
         if last is None or last[1] != str(msg) or now - last[0] > round(period * 1e9):
-            _last_said[key] = (now, str(msg))
-            _say(level, msg, args)
+            _last_logged[key] = (now, str(msg))
+            _log(level, msg, args)
 
     return log
 
 
 def _once(level: int) -> Callable[..., None]:
     def log(msg: object, *args: Any, **_options: Any) -> None:
-        """Say a line on rosout the first time only."""
+        """Log a line on rosout the first time only."""
         key = (_place(), level, "once")
-        if key not in _last_said:
-            _last_said[key] = (0, "")
-            _say(level, msg, args)
+        if key not in _last_logged:
+            _last_logged[key] = (0, "")
+            _log(level, msg, args)
 
     return log
 
@@ -114,7 +114,7 @@ logdebug_once, loginfo_once, logwarn_once, logerr_once, logfatal_once = map(
 
 
 def report_bad_callback(callback: object, error: BaseException) -> None:
-    """Say that a callback raised, as rospy does, and let the node go on."""
+    """Report that a callback raised, as rospy does, and let the node go on."""
     if isinstance(error, ROSInterruptException) and client.current().shutdown_reason is not None:
         return  # the shutdown ended its wait: no fault
     stream = io.StringIO()

@@ -1,4 +1,4 @@
-"""Subscribers of ours that only keep what they hear, as a TransformListener does."""
+"""Subscribers that only keep what they receive, as those of a TransformListener do."""
 
 from __future__ import annotations
 

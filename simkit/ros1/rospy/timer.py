@@ -83,7 +83,7 @@ class _Beat:
 
 
 class TimerEvent:
-    """What a timer tells its callback."""
+    """What a timer gives its callback."""
 
     def __init__(
         self,

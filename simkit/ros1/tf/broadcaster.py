@@ -18,10 +18,10 @@ _ORDER = "the order is sendTransform(translation, rotation, time, child, parent)
 
 
 class TransformBroadcaster:
-    """Tells the world where a frame is.
+    """Broadcasts where a frame is.
 
-    What is sent is what was given: a transform that makes no sense is refused by those who hear
-    it, with a warning that names this node.
+    What is sent is what was given: an invalid transform is refused by each listener,
+    with a warning that names this node.
 
     Args:
         queue_size: Length of the publisher's queue.
@@ -53,7 +53,7 @@ class TransformBroadcaster:
             IndexError: The translation has less than 3 numbers, or the rotation less than 4.
             AttributeError: `time` is no rospy.Time.
             TypeError: A frame name is no text.
-            ROSSerializationException: A number is none.
+            ROSSerializationException: A value is not a number.
         """
         _check(translation, rotation, time, frames=(child, parent))
         transform: Any = message_class("geometry_msgs/TransformStamped")()

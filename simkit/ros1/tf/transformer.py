@@ -31,7 +31,7 @@ class Transformer:
     Each failed question lets a millisecond pass, so that a loop of `except: continue` ends.
 
     Args:
-        interpolate: Taken for tf's sake; transforms are always interpolated.
+        interpolate: Accepted as in tf; transforms are always interpolated.
         cache_time: How long a moving frame is remembered; 10 s if None.
     """
 
@@ -117,7 +117,7 @@ class Transformer:
             source_frame: Frame that is observed.
             time: When.
             timeout: How long to wait at most.
-            polling_sleep_duration: Taken for tf's sake.
+            polling_sleep_duration: Accepted as in tf.
 
         Raises:
             TransformException: It did not come in time; the text says what was missing.
@@ -226,7 +226,7 @@ class Transformer:
         Args:
             tracking_frame: Frame that moves.
             observation_frame: Frame of the observer.
-            reference_frame: Frame in whose axes the result is told.
+            reference_frame: Frame in whose axes the result is given.
             ref_point: The point (3,) [m].
             reference_point_frame: Frame in which the point is given.
             time: Middle of the interval; `rospy.Time(0)` for the latest.

@@ -28,7 +28,7 @@ def twist_between(
         core: The transforms.
         tracking: Frame that moves.
         observation: Frame of the observer.
-        reference: Frame in whose axes the result is told.
+        reference: Frame in whose axes the result is given.
         point_frame: Frame in which the point is given.
         point: The point [m].
         time: Middle of the interval [ns]; 0 for the latest common time.

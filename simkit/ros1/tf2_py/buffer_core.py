@@ -19,7 +19,7 @@ else:
     import rospy
 
 _BAD_NAME = "Invalid argument"
-"How tf2's warning of a name begins that can never be the name of a frame."
+"Beginning of tf2's warning of an invalid frame name."
 
 
 class BufferCore:
@@ -36,11 +36,11 @@ class BufferCore:
 
     def __init__(self, cache_time: Duration | None = None) -> None:
         length = None if cache_time is None else Duration.from_nsec(nanoseconds_of(cache_time))
-        self._told: set[str] = set()
+        self._warned: set[str] = set()
         self._buffer = Buffer(length, on_warning=self._warn)
 
     def set_transform(self, transform: Any, authority: str) -> None:
-        """Store a geometry_msgs/TransformStamped; one that makes no sense is refused by a warning."""
+        """Store a geometry_msgs/TransformStamped; an invalid one is refused with a warning."""
         self._buffer.set_transform(transform, authority)
 
     def set_transform_static(self, transform: Any, authority: str) -> None:
@@ -159,9 +159,9 @@ class BufferCore:
         return self._buffer._allFramesAsDot(Time(0) if time is None else time)
 
     def _warn(self, text: str) -> None:
-        # A wait asks a hundred times: a name that can never be one is told of once.
-        if not text.startswith(_BAD_NAME) or text not in self._told:
-            self._told.add(text)
+        # A wait asks a hundred times: an invalid name is warned of once.
+        if not text.startswith(_BAD_NAME) or text not in self._warned:
+            self._warned.add(text)
             rospy.logwarn(text)
 
 
@@ -184,7 +184,7 @@ def _noticed(answer: tuple[bool, str]) -> tuple[int, str]:
 
 
 def require_names(*frames: object) -> None:
-    """Refuse a frame that is no text.
+    """Refuse a frame name that is not text.
 
     Raises:
         TypeError: Says which, and the order of the arguments.

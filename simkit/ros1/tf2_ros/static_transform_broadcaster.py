@@ -17,9 +17,9 @@ else:
 
 
 class StaticTransformBroadcaster:
-    """Tells the world where fixed frames are, also those who ask later.
+    """Broadcasts where fixed frames are, also to listeners that start later.
 
-    Only the last message is kept for those who come later: a second `sendTransform` of another
+    Only the last message is kept for those: a second `sendTransform` of another
     frame hides the first from them. One list with all frames is right, and a warning says so.
 
     Source:

@@ -17,10 +17,10 @@ QUEUE_SIZE = 100
 
 
 class TransformBroadcaster:
-    """Tells the world where frames are.
+    """Broadcasts where frames are.
 
-    What is sent is what was given: a transform that makes no sense is refused by those who hear
-    it, with a warning that names this node.
+    What is sent is what was given: an invalid transform is refused by each listener,
+    with a warning that names this node.
     """
 
     def __init__(self) -> None:

@@ -42,14 +42,14 @@ class Point:
     positions: tuple[float, ...]
     """[rad or m]."""
     velocities: tuple[float, ...] = ()
-    """[rad/s or m/s]; empty if they are not said."""
+    """[rad/s or m/s]; empty if they are not given."""
     accelerations: tuple[float, ...] = ()
-    """[rad/s^2 or m/s^2]; empty if they are not said."""
+    """[rad/s^2 or m/s^2]; empty if they are not given."""
     time_ns: int
     """Since the start of the trajectory [ns]."""
 
     def knot(self, joint: int, offset: float = 0.0) -> Knot:
-        """What it says of the joint of that number, with an offset of its position [rad]."""
+        """The knot of the joint of that number, with an offset of its position [rad]."""
         return Knot(
             position=self.positions[joint] + offset,
             velocity=self.velocities[joint] if self.velocities else None,

@@ -91,14 +91,14 @@ class JointTrajectoryController(Controller):
             joint.command = self._command(number, period_ns * 1e-9)
 
     def is_due(self, time_ns: int) -> bool:  # noqa: ARG002 - the form of Controller
-        """A message, or what a goal is told."""
+        """A message of the state, or the feedback of a goal."""
         self._is_state_due = self._clock.is_due(self._uptime_ns)
         return self._is_state_due or self._goals.active is not None
 
     def publish(self, time_ns: int) -> None:
         """Publish what is desired and what is."""
         self._compare()
-        self._goals.note(time_ns, self._desired, self._actual, self._error)
+        self._goals.keep_feedback(time_ns, self._desired, self._actual, self._error)
         if self._is_state_due:
             message: Any = message_class(_STATE)()
             message.header.stamp, message.joint_names = Time.from_nsec(time_ns), list(self.claims)

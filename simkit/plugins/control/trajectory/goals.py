@@ -34,18 +34,18 @@ class _Watch:
     timer: Timer
     feedback: Any = None
     verdict: Any = None
-    """Its result, once it is known; it is told when the goal is looked at next."""
+    """Its result, once it is known; it is sent when the timer fires next."""
 
 
 class Goals:
     """The action of a controller, and the goal that is followed.
 
-    What becomes of it is found out in each update, and told at the rate action_monitor_rate.
+    Each update checks it; feedback and result are sent at the rate action_monitor_rate.
 
     Args:
         controller: The controller.
         settings: Its parameters.
-        follow: Follows the trajectory of a goal from now on; says why not, if it is refused.
+        follow: Follows the trajectory of a goal from now on; gives the refusal if it cannot.
         hold: Brings the joints to rest.
     """
 
@@ -75,7 +75,7 @@ class Goals:
 
     @property
     def active(self) -> ServerGoal | None:
-        """The goal whose tolerances are looked at; None if there is none, or its end is found out."""
+        """The goal whose tolerances are checked; None if there is none, or its result is known."""
         return self._active
 
     def give_up(self) -> None:
@@ -113,14 +113,14 @@ class Goals:
         if self._active is not None and len(self._done) == len(self._names):
             self._decide(SUCCESSFUL, "")
 
-    def note(
+    def keep_feedback(
         self,
         time_ns: int,
         desired: Sequence[State],
         actual: Sequence[State],
         error: Sequence[State],
     ) -> None:
-        """Keep what is to be told of the goal, at a time [ns]."""
+        """Keep the feedback of the goal, at a time [ns]."""
         if self._active is None or self._watch is None:
             return
         feedback: Any = message_class("control_msgs/FollowJointTrajectoryFeedback")()
@@ -164,7 +164,7 @@ class Goals:
         self._server.accept(goal)
         self._active = goal
         self._done = set()
-        timer = self._controller.create_timer(self._period_s, self._tell)
+        timer = self._controller.create_timer(self._period_s, self._report)
         self._watch = _Watch(goal=goal, timer=timer)
 
     def _check_end(self, name: str, segment: MotionSegment, error: State, uptime_ns: int) -> None:
@@ -184,8 +184,8 @@ class Goals:
         result.error_code, result.error_string = code, text
         return result
 
-    def _tell(self) -> None:
-        """Tell how far the goal is."""
+    def _report(self) -> None:
+        """Send the feedback of the goal, or its result."""
         watch = self._watch
         if watch is None:
             return

@@ -15,7 +15,7 @@ from simkit.plugins.control.trajectory.settings import NO_TOLERANCES, JointToler
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Knot:
-    """Where a joint shall be, and if it is said, how it moves there."""
+    """Where a joint shall be, and how it moves there if that is given."""
 
     position: float
     """[rad or m]."""
@@ -59,10 +59,10 @@ class Spline:
 
 
 def spline_between(start: Knot, end: Knot, duration_s: float) -> Spline:
-    """The polynomial of lowest order that has all that both ends say.
+    """The polynomial of lowest order through all that both ends give.
 
     Positions give a straight line, velocities as well a cubic, accelerations as well a quintic. What
-    only one of the ends says does not count.
+    only one of the ends gives does not count.
 
     Args:
         start: At the beginning.
@@ -118,7 +118,7 @@ class MotionSegment:
     goal: object | None = None
     """The goal of an action that it belongs to; None for a command."""
     tolerances: JointTolerances = NO_TOLERANCES
-    """What is looked at while that goal is followed."""
+    """What is checked while that goal is followed."""
 
     def sample(self, time_ns: int) -> State:
         """The state at a time [ns]."""

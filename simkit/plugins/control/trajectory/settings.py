@@ -37,7 +37,7 @@ class Tolerance:
         )
 
     def changed(self, by: Any) -> Tolerance:
-        """This with what a control_msgs/JointTolerance says."""
+        """This, changed by a control_msgs/JointTolerance."""
         return Tolerance(
             position=_changed(self.position, by.position),
             velocity=_changed(self.velocity, by.velocity),
@@ -161,7 +161,7 @@ def goal_tolerances(
 
 
 def _changed(value: float, by: float) -> float:
-    """A tolerance with what a goal says: more than 0 counts, less than 0 is none, 0 changes nothing."""
+    """A tolerance changed by a goal: above 0 it replaces, below 0 it removes, 0 changes nothing."""
     if by > 0.0:
         return by
     return 0.0 if by < 0.0 else value

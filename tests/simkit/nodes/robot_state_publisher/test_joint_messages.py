@@ -75,13 +75,13 @@ def test_who_speaks_and_who_is_missing_decides_what_the_hint_says():
         "hint: /me has not said anything on /joint_states yet, "
         "so elbow, hip have no position, and no transform"
     )
-    missing.heard(stamped=False)
+    missing.count_message(stamped=False)
     assert "no time stamp" in missing.hint("/joint_states", ["/me"])
-    missing.heard(stamped=True)
-    missing.moved(["hip", "other"])
+    missing.count_message(stamped=True)
+    missing.note_positions(["hip", "other"])
     assert missing.hint("/joint_states", ["/me"]) == (
         "hint: /me on /joint_states gives no position for some joints: "
         "elbow has no position, and no transform"
     )
-    missing.moved(["elbow"])
+    missing.note_positions(["elbow"])
     assert missing.hint("/joint_states", []) is None
