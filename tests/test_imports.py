@@ -131,8 +131,8 @@ LIBRARIES = {
     ),
     "transformations": ("simkit.tf.transformations", ""),
     "yaml": (
-        "simkit.graph.names simkit.commands",
-        "simkit.msgs.strify simkit.launch simkit.urdf.rules simkit.viz.stage.rviz_config",
+        "simkit.commands",
+        "simkit.graph.names simkit.msgs.strify simkit.launch simkit.urdf.rules simkit.viz.stage.rviz_config",
     ),
     "matplotlib": ("simkit.viz", ""),
     "PIL": ("", "simkit.viz.draw.files"),
@@ -197,7 +197,7 @@ COLD = {
     "a robot without a window": (
         "import simkit; sim = simkit.Simulation(package_path=['robots'], screen=None); "
         "sim.roslaunch('my_robot_urdf', 'spawn_urdf.launch'); sim.run(1.0)",
-        "simkit.viz matplotlib trimesh ipywidgets anywidget meshcat yourdfpy PIL pytest",
+        "simkit.viz simkit.graph.process yaml matplotlib trimesh ipywidgets anywidget meshcat yourdfpy PIL pytest",
     ),
     "grader": ("import grader", "numpy matplotlib yaml rich pytest jupytext nbformat simkit.graph"),
     "check": ("from grader import check", "numpy matplotlib rich pytest jupytext nbformat"),

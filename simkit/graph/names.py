@@ -10,8 +10,6 @@ import re
 from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, field
 
-import yaml
-
 from simkit.graph.errors import GraphError, RosCommandError
 
 _LEGAL = re.compile(r"^[~/A-Za-z][\w/]*$", re.ASCII)
@@ -133,6 +131,8 @@ def split_command_line(arguments: Sequence[str]) -> CommandLine:
 
 
 def _yaml_value(argument: str, text: str) -> object:
+    import yaml  # takes 10 ms to load, and most nodes are given no parameters
+
     try:
         return yaml.safe_load(text) if text else ""
     except yaml.YAMLError as error:

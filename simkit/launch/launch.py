@@ -6,17 +6,20 @@ Source: roslaunch's `ProcessMonitor`, on virtual time.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.graph import Graph
 from simkit.graph.executor import nanoseconds
-from simkit.graph.process import Permissions, ScriptNode
 from simkit.launch.parameters import apply_parameters, description_lines
 from simkit.launch.plan import TEXT_NAME, LaunchPlan, PlannedNode
-from simkit.launch.process import NodeHandle, Process, arguments_of
+from simkit.launch.process import Process, arguments_of
 from simkit.launch.summary import summary_of, warning_lines
 from simkit.nodes import builtin_nodes
+
+if TYPE_CHECKING:
+    from simkit.graph.process import Permissions
+    from simkit.launch.process import NodeHandle
 
 RESTART_SECONDS = 0.1
 """roslaunch looks after its processes this often, so a node is never started again sooner [s]."""
@@ -142,7 +145,7 @@ class Launch:
     def note_hidden(self, node_name: str) -> None:
         """Say once that a script prints what nobody sees."""
         process = self._process(node_name)
-        is_script = process is not None and isinstance(process.node, ScriptNode)
+        is_script = process is not None and not process.is_builtin
         if is_script and not self._said_hidden:
             self._said_hidden = True
             self.say(
@@ -171,8 +174,7 @@ class Launch:
         else:  # an older launch may have hidden it
             self._graph.muted.pop(name, None)
         started = f"process[{process.label}]: started {planned.package}/{planned.type}"
-        is_builtin = (planned.package, planned.type) in builtin_nodes()
-        if is_builtin:
+        if process.is_builtin:
             self.say(started)  # it speaks at once, a script a moment later
         try:
             arguments = arguments_of(planned)
@@ -184,7 +186,7 @@ class Launch:
             self._fail(planned, error)
             return
         self.handles.append((planned, process.node))
-        if not is_builtin:
+        if not process.is_builtin:
             self.say(started)
 
     def _refusal(self, planned: PlannedNode) -> str | None:

@@ -8,14 +8,17 @@ from __future__ import annotations
 import shlex
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from simkit.errors import UnknownNameError, near_names
 from simkit.graph.params import ParameterServer
-from simkit.graph.process import Permissions
 from simkit.launch.files import Budget, Files
 from simkit.launch.plan import LaunchPlan, ParameterStep, PlannedNode
 from simkit.launch.rules import DESCRIPTION
 from simkit.packages import PackagePath
+
+if TYPE_CHECKING:
+    from simkit.graph.process import Permissions
 
 PARAMETER = "robot_description"
 _READERS = (

@@ -5,17 +5,20 @@ from __future__ import annotations
 import shlex
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
-from simkit.graph.process import ScriptNode
 from simkit.launch.plan import PlannedNode
-from simkit.nodes.builtin import RunningBuiltin
+from simkit.nodes import builtin_nodes
+
+if TYPE_CHECKING:
+    from simkit.graph.process import ScriptNode
+    from simkit.nodes.builtin import RunningBuiltin
 
 MOST_LINES = 12
 """So many lines of its last words are shown."""
 MOST_COLUMNS = 200
 """So much of each."""
-NodeHandle: TypeAlias = ScriptNode | RunningBuiltin
+NodeHandle: TypeAlias = "ScriptNode | RunningBuiltin"
 """A node that was started."""
 
 
@@ -42,6 +45,11 @@ class Process:
     def is_busy(self) -> bool:
         """Whether it is up, or will be."""
         return self.restarts or (self.node is not None and self.node.alive)
+
+    @property
+    def is_builtin(self) -> bool:
+        """Whether its program comes with the kit."""
+        return (self.planned.package, self.planned.type) in builtin_nodes()
 
     @property
     def command(self) -> str:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from simkit.graph import Graph
 from simkit.graph.names import CommandLine, join
-from simkit.graph.process import NodeFailure
 from simkit.nodes import BuiltinNode
 from simkit.packages import PackagePath
+
+if TYPE_CHECKING:
+    from simkit.graph.process import NodeFailure
 
 
 class RunningBuiltin:

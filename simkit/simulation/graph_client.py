@@ -7,7 +7,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from simkit import msgs
-from simkit.commands.topic_pub import publish, value_of
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.graph import Node, ServiceFailed
 from simkit.msgs import Message
@@ -52,6 +51,8 @@ class GraphClient:
         Raises:
             SimkitError: What `rostopic pub` says: no such type, or a value does not fit.
         """
+        from simkit.commands.topic_pub import publish, value_of
+
         self._sim.require_open()
         read = value_of(value) if isinstance(value, str) else value
         values = read if isinstance(read, list | tuple) else [read]

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 
 from simkit.errors import UnknownNameError
 from simkit.graph.names import free_name
-from simkit.graph.process import Permissions
 from simkit.nodes import builtin_nodes
 from simkit.packages import PackagePath
 from simkit.simulation.gazebo_starter import GZSERVER
 
 if TYPE_CHECKING:
+    from simkit.graph.process import Permissions
     from simkit.launch import Launch, LaunchPlan
     from simkit.simulation.simulation import Simulation
 

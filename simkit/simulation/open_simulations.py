@@ -5,9 +5,8 @@ from __future__ import annotations
 import weakref
 from typing import TYPE_CHECKING
 
-from simkit.graph.process import ScriptNode
-
 if TYPE_CHECKING:
+    from simkit.graph.process import ScriptNode
     from simkit.simulation.simulation import Simulation
 
 _made: list[weakref.ref[Simulation]] = []

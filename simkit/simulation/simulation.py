@@ -13,13 +13,6 @@ from simkit.graph.executor import nanoseconds
 from simkit.graph.log import Screen, StreamScreen
 from simkit.graph.names import split_command_line
 from simkit.graph.params import ParameterServer
-from simkit.graph.process import (
-    NodeRuntime,
-    Permissions,
-    ScriptNode,
-    StartSpec,
-    shared_runtime,
-)
 from simkit.msgs import Time
 from simkit.nodes import builtin_nodes
 from simkit.nodes.builtin import RunningBuiltin
@@ -40,6 +33,7 @@ if TYPE_CHECKING:
     from types import TracebackType
 
     from simkit.gazebo import Gazebo
+    from simkit.graph.process import NodeRuntime, Permissions, ScriptNode
     from simkit.physics import World
     from simkit.viz import TurtlesimView
 
@@ -187,6 +181,19 @@ class Simulation:
             builtin = RunningBuiltin(self.graph, definition, named, self.packages)
             self.builtins.append(builtin)
             return builtin
+        return self._run_script(package, executable, arguments, permissions)
+
+    def _run_script(
+        self,
+        package: str,
+        executable: str,
+        arguments: Sequence[str],
+        permissions: Permissions | None,
+    ) -> ScriptNode:
+        # processes are loaded with the first script: a robot with built-in nodes needs none
+        from simkit.graph.process import Permissions, ScriptNode, StartSpec, shared_runtime
+
+        command_line = split_command_line(arguments)
         script, shown_path = find_script(self.packages, package, executable)
         spec = StartSpec(
             script=str(script),

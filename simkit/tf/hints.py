@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 
 from simkit.errors import near_names
@@ -197,5 +196,7 @@ def _spelled_alike(one: str, other: str) -> bool:
     """Whether two names differ by a slip, and not by their number."""
     if re.findall(r"\d+", one) != re.findall(r"\d+", other):
         return False
+    import difflib  # only who has made a mistake waits for it
+
     folded = difflib.SequenceMatcher(None, one.lower(), other.lower())
     return folded.ratio() >= _ALIKE
