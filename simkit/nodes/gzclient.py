@@ -31,15 +31,17 @@ class GzclientProgram(Program):
         UsageError: An argument is none of these.
     """
 
+    window = "Gazebo"
+
     def __init__(self, node: Node, argv: list[str]) -> None:
         super().__init__(node)
         _check(argv)
         self._timer = node.create_timer(HINT_AFTER, self._hint)
 
-    def tell(self, url: str) -> None:
-        """Print where the view is, for a person at a terminal."""
+    def show_address(self, url: str) -> None:
+        """Print where its page is; then there is no need of a hint."""
         self._timer.cancel()
-        self._print(f"Gazebo is at {url} (open it in a browser; Ctrl-C ends it)\n")
+        super().show_address(url)
 
     def _hint(self) -> None:
         self._timer.cancel()

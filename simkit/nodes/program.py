@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import ClassVar
 
 from simkit.graph import Node
 
@@ -22,6 +23,9 @@ class Program:
         exit_code: What it ended with; None while it runs.
     """
 
+    window: ClassVar[str] = ""
+    """What has a window in ROS, and a page in a browser here; empty for a program without one."""
+
     def __init__(self, node: Node) -> None:
         self._node = node
         self._folder = Path.cwd()  # of whoever starts it: files that it names are there
@@ -32,6 +36,10 @@ class Program:
     def output(self) -> str:
         """What it has printed so far."""
         return self._output
+
+    def show_address(self, url: str) -> None:
+        """Print where its page is, for a person at a terminal."""
+        self._print(f"{self.window} is at {url} (open it in a browser; Ctrl-C ends it)\n")
 
     def _print(self, text: str) -> None:
         """Print a text as it is, without a line break of its own."""

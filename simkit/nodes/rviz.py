@@ -32,6 +32,8 @@ class RvizProgram(Program):
         UsageError: An argument is none of these.
     """
 
+    window = "RViz"
+
     def __init__(self, node: Node, argv: list[str]) -> None:
         super().__init__(node)
         arguments = _arguments(argv)
@@ -53,10 +55,6 @@ class RvizProgram(Program):
         except SimkitError as error:
             found = RvizSettings(fixed_frame="", complaint=f"{error}.")
         return replace(found, fixed_frame=self._fixed_frame or found.fixed_frame)
-
-    def tell(self, url: str) -> None:
-        """Print where the view is, for a person at a terminal."""
-        self._print(f"RViz is at {url} (open it in a browser; Ctrl-C ends it)\n")
 
     def _configured(self, packages: PackagePath) -> RvizSettings:
         from simkit.viz.stage.rviz_config import read_config

@@ -237,7 +237,7 @@ class View:
             if isinstance(program, JointStatePublisherGui):
                 program.listen()
             return None
-        program.tell(page.url)
+        program.show_address(page.url)
         return page
 
     def _live_turtlesim(

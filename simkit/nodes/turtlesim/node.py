@@ -13,6 +13,7 @@ from typing import Any
 from simkit.errors import SimkitError, UnknownNameError
 from simkit.graph import Node, ServiceFailed
 from simkit.msgs import Duration, Message, message_class, service_class
+from simkit.nodes.program import Program
 from simkit.nodes.turtlesim.frame import Frame, TurtleExistsError
 from simkit.nodes.turtlesim.state import TurtleReading, Velocity, new_pen
 from simkit.nodes.turtlesim.turtle import Turtle
@@ -21,7 +22,7 @@ from simkit.nodes.turtlesim.window import BACKGROUND, CENTRE, TICK_NS, Rgb
 PARAMETERS = ("~background_r", "~background_g", "~background_b")
 
 
-class TurtlesimNode:
+class TurtlesimNode(Program):
     """The node `turtlesim_node` of the package turtlesim.
 
     Services: `spawn`, `kill`, `clear`, `reset`; `frame` holds the turtles and their trails.
@@ -31,9 +32,10 @@ class TurtlesimNode:
         _argv: Arguments of its command line; it takes none.
     """
 
+    window = "turtlesim"
+
     def __init__(self, node: Node, _argv: list[str]) -> None:
-        self.output = ""
-        self._node = node
+        super().__init__(node)
         self._endpoints: dict[str, _TurtleEndpoints] = {}
         self._is_ticking = False
         for name, default in zip(PARAMETERS, BACKGROUND, strict=True):
@@ -50,12 +52,6 @@ class TurtlesimNode:
         node.info(f"Starting turtlesim with node name {node.name}")
         self._welcome(self.frame.spawn(), x=CENTRE, y=CENTRE, theta=0.0)
         node.create_timer(Duration.from_nsec(TICK_NS), self._tick)
-
-    def tell(self, url: str) -> None:
-        """Print where the window is, for a person at a terminal."""
-        text = f"turtlesim is at {url} (open it in a browser; Ctrl-C ends it)\n"
-        self.output += text
-        self._node.graph.show_output(self._node.name, text)
 
     def _tick(self) -> None:
         # turtlesim's first update only notes the time.

@@ -41,7 +41,7 @@ def test_it_says_once_how_the_window_is_opened(graph, start):
 
 def test_it_says_where_the_window_is_instead(graph, start):
     program = start()
-    program.tell("http://127.0.0.1:1/x/")
+    program.show_address("http://127.0.0.1:1/x/")
     run(graph, 5.0)
     assert program.output == (
         "Gazebo is at http://127.0.0.1:1/x/ (open it in a browser; Ctrl-C ends it)\n"

@@ -69,5 +69,5 @@ def test_other_arguments_are_refused_with_the_usage(start, arguments):
 
 def test_it_prints_where_its_page_is(start):
     program = start()
-    program.tell("http://127.0.0.1:1/x/")
+    program.show_address("http://127.0.0.1:1/x/")
     assert program.output.startswith("RViz is at http://127.0.0.1:1/x/ ")
