@@ -1,12 +1,11 @@
 """How a law over the tree fails: with every place where it is broken, and what to do about it.
 
-from tests.laws import broken_laws, row_of
+from tests.laws import broken_laws
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any
 
 import pytest
 
@@ -24,17 +23,3 @@ def broken_laws(found: Iterable[object], remedy: str) -> None:
     if lines:
         listed = "\n".join(f"  {line}" for line in lines)
         pytest.fail(f"{len(lines)} broken:\n{listed}\nWhat to do: {remedy}", pytrace=False)
-
-
-def row_of(table: Mapping[str, Any], name: str, remedy: str) -> Any:
-    """A row of a table that a law needs; fails with the remedy if it is missing.
-
-    Args:
-        table: The table.
-        name: Key of the row.
-        remedy: Where the table is, and what to write into it.
-    """
-    __tracebackhide__ = True
-    if name not in table:
-        pytest.fail(f"no row for {name}\nWhat to do: {remedy}", pytrace=False)
-    return table[name]

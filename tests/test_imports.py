@@ -54,7 +54,7 @@ MAY_IMPORT = {
     "simkit.xml",
     "simkit.physics": "simkit.errors simkit.xml simkit.diagnostics simkit.urdf simkit.packages simkit.tf",
     # what the tags of plugins may say: pure, so that check_urdf and the plugins' parser share it
-    "simkit.plugins.tags": "",
+    "simkit.plugins.tags": "simkit.plugins.registry",
     "simkit.plugins.control.registry": "simkit.plugins",
     "simkit.plugins.registry": "simkit.plugins simkit.plugins.tags",
     "simkit.plugins": "simkit.plugins.tags simkit.plugins.registry simkit.plugins.control.registry simkit.errors "
@@ -62,7 +62,7 @@ MAY_IMPORT = {
     "simkit.tf simkit.xml simkit.urdf simkit.physics",
     "simkit.gazebo": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
     "simkit.urdf simkit.urdf.rules simkit.packages simkit.commands.errors simkit.nodes.program "
-    "simkit.physics simkit.plugins simkit.plugins.tags",
+    "simkit.physics simkit.plugins simkit.plugins.registry simkit.plugins.tags",
     "simkit.launch": "simkit.errors simkit.msgs simkit.graph simkit.tf simkit.xml simkit.diagnostics "
     "simkit.urdf simkit.urdf.rules simkit.packages simkit.nodes simkit.commands.errors simkit.commands.parameter_yaml "
     "simkit.xacro",

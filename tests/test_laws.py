@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.laws import broken_laws, row_of
+from tests.laws import broken_laws
 
 
 def test_every_violation_is_listed_and_the_remedy_is_last() -> None:
@@ -23,9 +23,3 @@ def test_a_mapping_is_listed_line_by_line() -> None:
 def test_a_law_that_holds_says_nothing() -> None:
     broken_laws([], "nothing")
     broken_laws({}, "nothing")
-
-
-def test_a_missing_row_says_where_the_table_is() -> None:
-    assert row_of({"a": 1}, "a", "write it") == 1
-    with pytest.raises(pytest.fail.Exception, match="no row for b\nWhat to do: write it"):
-        row_of({"a": 1}, "b", "write it")

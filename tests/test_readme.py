@@ -12,7 +12,6 @@ from pathlib import Path
 import pytest
 from matplotlib.image import imread
 
-from simkit.plugins import plugins
 from tests.laws import broken_laws
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -106,15 +105,6 @@ def test_the_list_of_exercises_follows_the_sources(tmp_path: Path) -> None:
     assert "| 3.9 | [Broadcast the turtle's pose as a transform]" in written
     assert "| 3.1 |" not in written
     assert written.partition("## Who")[2] == README.partition("## Who")[2]
-
-
-def test_the_page_of_differences_names_each_plugin_of_the_kit() -> None:
-    page = (ROOT / "docs/differences_from_gazebo.md").read_text(encoding="utf-8")
-    names = [name.removeprefix("libgazebo_ros_").removesuffix(".so") for name in plugins()]
-    broken_laws(
-        [name for name in names if f"`{name}`" not in page],
-        "name it in the row `There are ...` of docs/differences_from_gazebo.md, and say what is not as in Gazebo",
-    )
 
 
 def test_the_page_of_the_architecture_says_why_each_library_is_there() -> None:

@@ -18,8 +18,8 @@ from simkit.physics import Model, World
 from simkit.physics.sdf import SdfModel
 from simkit.plugins import Plugin, PluginEntry, Site, plugins
 from simkit.plugins.parameters import read_parameters
+from simkit.plugins.registry import NOT_HERE
 from simkit.urdf import Robot
-from simkit.urdf.rules.plugin_words import NOT_HERE
 from simkit.xml import Element
 
 STEP_HOOKS = ("before_step", "after_step")

@@ -12,8 +12,8 @@ from typing import Any, TypeVar
 from simkit.errors import near_names
 from simkit.geometry import Quaternion, Vector, canonical, quaternion_from_rpy
 from simkit.graph.names import is_legal_name
+from simkit.plugins.registry import SILENT, TagField, tags_of
 from simkit.plugins.site import PluginError, Site
-from simkit.plugins.tags import SILENT, TagField, tags_of
 from simkit.xml import Element
 
 T = TypeVar("T")

@@ -1,22 +1,12 @@
-"""What the tag of each plugin may say: a frozen dataclass a plugin, whose fields are made by `tag`.
-
-    @dataclass(frozen=True, slots=True, kw_only=True)
-    class Parameters:
-        rate: float = tag("updateRate", 100.0, "Publications per second; 0: each step [Hz].", at_least=0.0)
-
-The class is the parser of the tag, and what check_urdf knows of it. Nothing is imported here but the standard library.
-"""
+"""The plugins that there are: what the tag of each may say, as a class under `@plugin(...)`; see `registry`."""
 
 from __future__ import annotations
 
-import dataclasses
-import enum
-import math
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
-SILENT = ("robotNamespace", "alwaysOn", "rosDebugLevel")
-"""Tags that any plugin may have, whether it reads them or not."""
+from simkit.plugins.registry import Names, plugin, tag
+
 LASER_DEFAULT = "/world"
 """Topic and frame of a laser that says nothing of them; nobody means that."""
 IMU_DEFAULT = "/default_imu"
@@ -24,73 +14,11 @@ IMU_DEFAULT = "/default_imu"
 _SIM = "gazebo_ros_control/DefaultRobotHWSim"
 
 
-class Names(enum.Enum):
-    """What the text of a tag is the name of."""
-
-    NOTHING = enum.auto()
-    """Of nothing in the robot."""
-    JOINT = enum.auto()
-    """A joint that moves."""
-    JOINTS = enum.auto()
-    """Joints that move, with commas between them."""
-    LINK = enum.auto()
-    """A link that must be there."""
-    FRAME = enum.auto()
-    """A frame of TF, mostly that of a link."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class TagField:
-    """What a field of a parameter class says of the tag that it comes from."""
-
-    name: str
-    """Name of the tag."""
-    default: Any
-    """What holds if it is not given; of the type that it has: text, float, int or bool."""
-    text: str
-    """What it means, with the unit in square brackets."""
-    required: bool = False
-    """Whether the plugin does not work without it."""
-    at_least: float = -math.inf
-    """Smallest number."""
-    above: float = -math.inf
-    """All numbers are greater than this."""
-    choices: tuple[str, ...] = ()
-    """What it may be; anything if empty."""
-    names: Names = Names.NOTHING
-    """What it names; the default is then a name, too, but for an empty one and `world`."""
-
-
-def tag(
-    name: str,
-    default: Any,
-    text: str,
-    *,
-    required: bool = False,
-    at_least: float = -math.inf,
-    above: float = -math.inf,
-    choices: tuple[str, ...] = (),
-    names: Names = Names.NOTHING,
-) -> Any:
-    """A field of a parameter class: type, default and bounds of one tag; see `Tag`."""
-    found = TagField(
-        name=name,
-        default=default,
-        text=text,
-        required=required,
-        at_least=at_least,
-        above=above,
-        choices=choices,
-        names=names,
-    )
-    return dataclasses.field(default=default, metadata={"tag": found})
-
-
-def tags_of(parameters: type[Any]) -> dict[str, TagField]:
-    """The tags that a parameter class reads, by the name of the field."""
-    return {one.name: one.metadata["tag"] for one in dataclasses.fields(parameters)}
-
-
+@plugin(
+    "diff_drive.DiffDrive",
+    ignored=("odometryRate", "broadcastTF", "num_wheel_pairs", "ros"),
+    silent=("rosDebugLevel", "legacyMode"),
+)
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DiffDriveParameters:
     """What the tag of `libgazebo_ros_diff_drive.so` says, in the order in which what is missing is reported."""
@@ -118,7 +46,9 @@ class DiffDriveParameters:
     wheel_acceleration: float = tag(
         "wheelAcceleration", 0.0, "Acceleration of a rim; 0: at once [m/s^2].", at_least=0.0
     )
-    wheel_torque: float = tag("wheelTorque", 5.0, "Largest torque of a motor [N m].", above=0.0)
+    wheel_torque: float = tag(
+        "wheelTorque", 5.0, "Largest torque of a motor [N m].", above=0.0, spellings=("torque",)
+    )
     update_rate: float = tag(
         "updateRate", 100.0, "How often it reports and obeys; 0: each step [Hz].", at_least=0.0
     )
@@ -132,10 +62,14 @@ class DiffDriveParameters:
         "rightJoint", "right_joint", "Joint of the wheel on the right.", names=Names.JOINT
     )
     publish_tf: bool = tag(
-        "publishTf", True, "Whether there is odometry: its topic, and the robot on /tf."
+        "publishTf",
+        True,
+        "Whether there is odometry: its topic, and the robot on /tf.",
+        spellings=("publish_odom",),
     )
 
 
+@plugin("skid_steer_drive.SkidSteerDrive", ignored=("MaxForce", "bodyName"))
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SkidSteerDriveParameters:
     """What the tag of `libgazebo_ros_skid_steer_drive.so` says, in the order in which what is missing is reported."""
@@ -165,8 +99,12 @@ class SkidSteerDriveParameters:
         "wheelSeparation", 0.4, "Distance between left and right wheels [m].", above=0.0
     )
     wheel_diameter: float = tag("wheelDiameter", 0.15, "Diameter of a wheel [m].", above=0.0)
-    torque: float = tag("torque", 5.0, "Largest torque of a motor [N m].", above=0.0)
-    command_topic: str = tag("commandTopic", "cmd_vel", "Topic of the commands.")
+    torque: float = tag(
+        "torque", 5.0, "Largest torque of a motor [N m].", above=0.0, spellings=("wheelTorque",)
+    )
+    command_topic: str = tag(
+        "commandTopic", "cmd_vel", "Topic of the commands.", spellings=("topicName",)
+    )
     odometry_topic: str = tag("odometryTopic", "odom", "Topic of the odometry.")
     odometry_frame: str = tag("odometryFrame", "odom", "Frame that odometry is measured in.")
     robot_base_frame: str = tag(
@@ -182,6 +120,7 @@ class SkidSteerDriveParameters:
     )
 
 
+@plugin("joint_state_publisher.GazeboJointStatePublisher")
 @dataclass(frozen=True, slots=True, kw_only=True)
 class JointStatePublisherParameters:
     """What the tag of `libgazebo_ros_joint_state_publisher.so` says."""
@@ -198,6 +137,7 @@ class JointStatePublisherParameters:
     )
 
 
+@plugin("control.plugin.GazeboRosControl", ignored=("parameters", "updateRate"))
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ControlParameters:
     """What the tag of `libgazebo_ros_control.so` says."""
@@ -213,16 +153,22 @@ class ControlParameters:
     )
 
 
+@plugin("laser.Laser", sensor="ray", ignored=("updateRate", "gaussianNoise", "hokuyoMinIntensity"))
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LaserParameters:
     """What the tag of `libgazebo_ros_laser.so` says."""
 
     topic: str = tag("topicName", LASER_DEFAULT, "Topic of the scans; empty: none.")
     frame: str = tag(
-        "frameName", LASER_DEFAULT, "Frame of the scans, the link of the laser.", names=Names.FRAME
+        "frameName",
+        LASER_DEFAULT,
+        "Frame of the scans, the link of the laser.",
+        names=Names.FRAME,
+        spellings=("frame_id",),
     )
 
 
+@plugin("p3d.P3d")
 @dataclass(frozen=True, slots=True, kw_only=True)
 class P3dParameters:
     """What the tag of `libgazebo_ros_p3d.so` says."""
@@ -248,6 +194,7 @@ class P3dParameters:
     )
 
 
+@plugin("imu.Imu")
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ImuParameters:
     """What the tag of `libgazebo_ros_imu.so` says."""
@@ -258,7 +205,11 @@ class ImuParameters:
         "serviceName", IMU_DEFAULT, "Service that calibrates it, which does nothing."
     )
     frame: str = tag(
-        "frameName", "", "Frame of the messages; the link if it is not given.", names=Names.FRAME
+        "frameName",
+        "",
+        "Frame of the messages; the link if it is not given.",
+        names=Names.FRAME,
+        spellings=("frameId", "frame_id"),
     )
     rate: float = tag(
         "updateRate", 0.0, "Messages per second; 0: one each step [Hz].", at_least=0.0
@@ -268,6 +219,7 @@ class ImuParameters:
     rpy: str = tag("rpyOffset", "0 0 0", "How it is turned on the link [rad].")
 
 
+@plugin("imu_sensor.ImuSensor", sensor="imu", ignored=("update_rate", "bodyName"))
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ImuSensorParameters:
     """What the tag of `libgazebo_ros_imu_sensor.so` says."""
@@ -289,6 +241,7 @@ class ImuSensorParameters:
     )
 
 
+@plugin("bumper.Bumper", sensor="contact", ignored=("updateRate",))
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BumperParameters:
     """What the tag of `libgazebo_ros_bumper.so` says."""

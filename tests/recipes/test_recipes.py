@@ -135,13 +135,20 @@ class Altimeter(Plugin[AltimeterParameters]):
         """Withdraw."""
         self._publisher.unregister()
 '''
-TAGS = '''@dataclass(frozen=True, slots=True, kw_only=True)
+TAGS = '''@plugin("altimeter.Altimeter")
+@dataclass(frozen=True, slots=True, kw_only=True)
 class AltimeterParameters:
     """What the tag of `libgazebo_ros_altimeter.so` says."""
 
     update_rate: float = tag("updateRate", 10.0, "Messages a second; 0: one each step [Hz].", at_least=0.0)
 
 
+'''
+SAMPLE = '''"""How high a model stands."""
+
+from tests.simkit.plugins.samples import PENDULUM, Sample
+
+SAMPLE = Sample(robot=PENDULUM, rate_tag="updateRate")
 '''
 ROBOT = """<?xml version="1.0"?>
 <!-- A post to bump into. -->
@@ -229,26 +236,10 @@ def test_a_rule(tree: Any) -> None:
 
 
 def test_a_plugin(tree: Any) -> None:
-    filename = "libgazebo_ros_altimeter.so"
     tree.write("simkit/plugins/altimeter.py", PLUGIN)
-    tree.insert(
-        "simkit/plugins/tags.py",
-        "@dataclass(frozen=True, slots=True, kw_only=True)\nclass DiffDriveParameters",
-        TAGS,
-    )
-    tree.insert(
-        "simkit/plugins/registry.py",
-        '    PluginEntry(\n        filename="libgazebo_ros_diff_drive.so"',
-        f'    PluginEntry(\n        filename="{filename}",\n        module="simkit.plugins.altimeter",\n'
-        '        class_name="Altimeter",\n        parameters=tags.AltimeterParameters,\n    ),\n',
-    )
-    tree.insert(
-        "tests/simkit/plugins/samples.py",
-        '    "libgazebo_ros_diff_drive.so": Sample(',
-        f'    "{filename}": Sample(robot=PENDULUM, rate_tag="updateRate"),\n',
-    )
-    tree.insert("docs/differences_from_gazebo.md", "`p3d`, `control`", "`altimeter`, ")
-    tree.prove("a plugin", most=5, NAME="altimeter")
+    tree.insert("simkit/plugins/tags.py", '@plugin(\n    "diff_drive.DiffDrive"', TAGS)
+    tree.write("tests/simkit/plugins/test_altimeter.py", SAMPLE)
+    tree.prove("a plugin", NAME="altimeter")
 
 
 def test_a_robot(tree: Any) -> None:

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from simkit.gazebo.models import Spawned
 from simkit.geometry import Transform, Vector, roll_pitch_yaw
 from simkit.physics import Model, ModelJoint
-from simkit.plugins.tags import DiffDriveParameters, SkidSteerDriveParameters, tags_of
+from simkit.plugins.registry import tags_of
+from simkit.plugins.tags import DiffDriveParameters, SkidSteerDriveParameters
 from simkit.urdf.model import Cylinder, Sphere
 from simkit.urdf.wheel import round_part
 

@@ -6,12 +6,8 @@ import math
 from dataclasses import dataclass
 
 from simkit.geometry import Transform, Vector
-from simkit.plugins.tags import (
-    DiffDriveParameters,
-    SkidSteerDriveParameters,
-    TagField,
-    tags_of,
-)
+from simkit.plugins.registry import TagField, tags_of
+from simkit.plugins.tags import DiffDriveParameters, SkidSteerDriveParameters
 from simkit.urdf.rules.bodies import Standing, standing_shapes, zero_pose
 from simkit.urdf.rules.entries import JointEntry, PluginElement
 from simkit.urdf.rules.sheet import Sheet

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from simkit.diagnostics import Find, Part, Severity, rule
-from simkit.plugins.registry import plugins
-from simkit.plugins.tags import Names, tags_of
+from simkit.plugins.registry import Names, plugins
 from simkit.urdf.rules.bodies import parents_by_fixed_joint
 from simkit.urdf.rules.entries import PluginElement
 from simkit.urdf.rules.sheet import Sheet
@@ -61,7 +60,7 @@ def plugin_names_nothing(sheet: Sheet) -> Iterator[Find]:
         if reference and reference not in known:
             continue  # the whole block is lost, which another rule tells
         known_plugin = plugins().get(plugin.filename or "")
-        for tag in () if known_plugin is None else tags_of(known_plugin.parameters).values():
+        for tag in () if known_plugin is None else known_plugin.tags.values():
             name, kind = tag.name, tag.names
             element = plugin.parameter(name)
             value = tag.default if element is None else element.text.strip()

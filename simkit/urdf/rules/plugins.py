@@ -3,26 +3,21 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Part, Severity, rule
-from simkit.plugins.registry import plugins
-from simkit.plugins.tags import Names, TagField, tags_of
+from simkit.plugins.registry import NOT_HERE, Names, PluginEntry, TagField, plugins
 from simkit.urdf.rules.entries import PluginElement
-from simkit.urdf.rules.plugin_words import (
-    NEW_GAZEBO,
-    NOT_HERE,
-    SENSOR_TYPES,
-    other_spellings,
-    read_elsewhere,
-    without_effect,
-)
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.vocabulary import nearest
+from simkit.urdf.rules.vocabulary import SENSOR_TYPES, nearest
 from simkit.urdf.rules.wording import listed, quoted, read_number, shown
 from simkit.xml import Element
 
+_NEW_GAZEBO = ("gz-sim", "gz_", "ignition", "ign_", "gazebo_ros2_control")
+"Words in the names of plugins that belong to ROS 2 or to the newer Gazebo."
 _BOOLS = ("true", "false", "1", "0")
+_SILENT, _IGNORED = ("robotNamespace",), ("alwaysOn",)
+"Words that any tag may have: read elsewhere, and without effect."
 _REAL = ("wheelTorque", "torque", "wheelSeparation", "wheelDiameter")
 "Parameters whose default hardly ever fits a robot."
 
@@ -52,7 +47,7 @@ def unknown_plugin(sheet: Sheet) -> Iterator[Find]:
             continue
         known = plugin.filename in NOT_HERE
         near = None if known else _meant_library(plugin.filename)
-        is_new = not known and any(word in plugin.filename for word in NEW_GAZEBO)
+        is_new = not known and any(word in plugin.filename for word in _NEW_GAZEBO)
         severity = Severity.WARNING if near is not None and not is_new else Severity.NOTE
         gazebo = "Gazebo loads it if it is installed, else it says: Failed to load plugin."
         remedy = f"simkit has: {listed((one[3:-3] for one in plugins()), 9)}."
@@ -136,13 +131,12 @@ def plugin_parameter(sheet: Sheet) -> Iterator[Find]:
         kind = plugins().get(plugin.filename or "")
         if kind is None:
             continue
-        tags = {tag.name: tag for tag in tags_of(kind.parameters).values()}
         for element in plugin.element.children:
-            if element.name in tags:
-                yield from _bad_value(element, tags[element.name])
-            elif element.name not in read_elsewhere(kind.filename):
-                yield from _unread(kind.filename, element, tags)
-        for tag in tags.values():
+            if element.name in kind.tags:
+                yield from _bad_value(element, kind.tags[element.name])
+            elif element.name not in (*_SILENT, *kind.silent):
+                yield from _unread(kind, element)
+        for tag in kind.tags.values():
             if tag.required and plugin.parameter(tag.name) is None:
                 yield _missing(sheet, plugin, tag)
 
@@ -203,12 +197,11 @@ def _place_of(plugin: PluginElement) -> str:
     )
 
 
-def _unread(filename: str, element: Element, tags: Mapping[str, TagField]) -> Iterator[Find]:
-    name = element.name
-    known = (*read_elsewhere(filename), *tags)
-    meant = other_spellings(filename).get(name) or (
-        None if name in without_effect(filename) else nearest(name, known)
-    )
+def _unread(kind: PluginEntry, element: Element) -> Iterator[Find]:
+    name, tags = element.name, kind.tags
+    is_ignored = name in (*_IGNORED, *kind.ignored)
+    near = None if is_ignored else nearest(name, (*_SILENT, *kind.silent, *tags))
+    meant = kind.spellings.get(name, near)
     taken = meant is not None and element.parent is not None and element.parent.child(meant)
     remedy = "Leave it out."
     if meant is not None and not taken:
@@ -217,7 +210,7 @@ def _unread(filename: str, element: Element, tags: Mapping[str, TagField]) -> It
     yield Find(
         element,
         severity=Severity.WARNING if meant is not None else Severity.NOTE,
-        what=f"{quoted(filename)} reads no parameter <{shown(name)}>",
+        what=f"{quoted(kind.filename)} reads no parameter <{shown(name)}>",
         here="It has no effect.",
         gazebo=f"It has no effect{_default_of(tags.get(meant or ''))}.",
         remedy=remedy,

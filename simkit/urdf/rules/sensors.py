@@ -12,8 +12,8 @@ from simkit.urdf.model import Pose
 from simkit.urdf.placed_shape import PlacedShape
 from simkit.urdf.rules.bodies import Standing, standing_shapes, zero_pose
 from simkit.urdf.rules.entries import GazeboEntry
-from simkit.urdf.rules.plugin_words import SENSOR_TYPES
 from simkit.urdf.rules.sheet import Sheet
+from simkit.urdf.rules.vocabulary import SENSOR_TYPES
 from simkit.urdf.rules.wording import four_digits, meant, quoted, read_number, read_numbers
 from simkit.xml import Element
 

@@ -149,6 +149,14 @@ NUMBERS = (
     "laserRetro", "stopCfm", "stopErp",
 )  # fmt: skip
 """Tags that hold a number."""
+SENSOR_TYPES = (
+    "altimeter", "camera", "contact", "depth", "depth_camera", "force_torque", "gps",
+    "gpu_ray", "imu", "logical_camera", "magnetometer", "multicamera",
+    "navsat", "ray", "rfid", "rfidtag", "rgbd_camera", "sonar", "thermal_camera",
+    "wireless_receiver", "wireless_transmitter",
+)  # fmt: skip
+"""Types of a `<sensor>`."""
+
 _ALIKE = 0.7
 """From this similarity on, of 1, a word passes for a misspelt one."""
 _LONGEST = 40

@@ -1,13 +1,16 @@
-"""A sample robot for each plugin, and what the contract tests of plugins have to know of it."""
+"""Sample robots of plugins, and what the contract tests of plugins have to know of them."""
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+import pytest
+
 from simkit.msgs import message_class
-from tests.laws import row_of
+from simkit.plugins import plugins
 
 
 def link(name: str, shape: str, *, mass: float = 1.0, moment: float = 0.01, extra: str = "") -> str:
@@ -167,7 +170,7 @@ RAY = """<ray><scan><horizontal><samples>9</samples><resolution>1</resolution>
 <min_angle>-1.5</min_angle><max_angle>1.5</max_angle></horizontal></scan>
 <range><min>0.08</min><max>10</max></range>
 <noise><type>gaussian</type><mean>0</mean><stddev>0.01</stddev></noise></ray>"""
-IMU = """<imu><angular_velocity><x><noise type="gaussian"><mean>0</mean><stddev>0.01</stddev></noise></x>
+NOISY_IMU = """<imu><angular_velocity><x><noise type="gaussian"><mean>0</mean><stddev>0.01</stddev></noise></x>
 </angular_velocity></imu>"""
 END_OF_SENSOR = "</sensor></gazebo>"
 
@@ -178,104 +181,14 @@ TRANSMISSION = """<transmission name="t"><type>transmission_interface/SimpleTran
 MANAGER = "/controller_manager"
 MANAGER_MSGS = "controller_manager_msgs"
 
-SAMPLES: Mapping[str, Sample] = {
-    "libgazebo_ros_diff_drive.so": Sample(
-        robot=CAR,
-        tags={
-            "leftJoint": "left_joint",
-            "rightJoint": "right_joint",
-            "wheelSeparation": "0.4",
-            "wheelDiameter": "0.2",
-            "wheelAcceleration": "1",
-            "odometrySource": "encoder",
-            "publishWheelTF": "true",
-            "publishWheelJointState": "true",
-        },
-        rate_tag="updateRate",
-        commands={"/cmd_vel": twist(0.4, 0.5)},
-    ),
-    "libgazebo_ros_skid_steer_drive.so": Sample(
-        robot=ROVER,
-        tags={
-            "leftFrontJoint": "left_front_joint",
-            "rightFrontJoint": "right_front_joint",
-            "leftRearJoint": "left_rear_joint",
-            "rightRearJoint": "right_rear_joint",
-            "wheelSeparation": "0.4",
-            "wheelDiameter": "0.2",
-            "broadcastTF": "true",
-        },
-        rate_tag="updateRate",
-        commands={"/cmd_vel": twist(0.4, 0.5)},
-    ),
-    "libgazebo_ros_joint_state_publisher.so": Sample(
-        robot=PENDULUM, tags={"jointName": "swing"}, rate_tag="updateRate"
-    ),
-    "libgazebo_ros_p3d.so": Sample(
-        robot=PENDULUM,
-        tags={"bodyName": "bob", "topicName": "truth", "gaussianNoise": "0.01"},
-        rate_tag="updateRate",
-    ),
-    "libgazebo_ros_control.so": Sample(
-        robot=PENDULUM + TRANSMISSION,
-        parameters={
-            "/robot_description": "{urdf}",
-            "/states": {
-                "type": "joint_state_controller/JointStateController",
-                "publish_rate": "{rate}",
-            },
-            "/push": {"type": "effort_controllers/JointEffortController", "joint": "swing"},
-        },
-        calls=(
-            *(
-                (f"{MANAGER}/load_controller", f"{MANAGER_MSGS}/LoadController", {"name": name})
-                for name in ("states", "push")
-            ),
-            (
-                f"{MANAGER}/switch_controller",
-                f"{MANAGER_MSGS}/SwitchController",
-                {"start_controllers": ["states", "push"], "strictness": 2},
-            ),
-        ),
-        commands={"/push/command": message_class("std_msgs/Float64")(0.5)},
-        begins_anew=False,
-    ),
-    "libgazebo_ros_laser.so": Sample(
-        robot=PENDULUM,
-        tags={"topicName": "scan", "frameName": "bob"},
-        before=in_sensor("ray", RAY),
-        after=END_OF_SENSOR,
-    ),
-    "libgazebo_ros_imu.so": Sample(
-        robot=PENDULUM,
-        tags={
-            "bodyName": "bob",
-            "topicName": "imu",
-            "serviceName": "calibrate",
-            "gaussianNoise": "0.01",
-        },
-        rate_tag="updateRate",
-    ),
-    "libgazebo_ros_imu_sensor.so": Sample(
-        robot=PENDULUM,
-        tags={"topicName": "imu", "frameName": "bob", "gaussianNoise": "0.01"},
-        before=in_sensor("imu", IMU, rate="100"),
-        after=END_OF_SENSOR,
-        rate_tag="updateRateHZ",
-    ),
-    "libgazebo_ros_bumper.so": Sample(
-        robot=link("bob", '<box size="0.2 0.2 0.2"/>'),
-        tags={"bumperTopicName": "bumps"},
-        before=in_sensor("contact", "<contact><collision>bob_collision</collision></contact>"),
-        after=END_OF_SENSOR,
-    ),
-}
-"""By library."""
-
 
 def sample_of(filename: str) -> Sample:
-    """The sample of a library."""
-    sample: Sample = row_of(
-        SAMPLES, filename, "write a Sample for it into SAMPLES in tests/simkit/plugins/samples.py"
-    )
+    """The sample of a library: `SAMPLE` in the tests of its module."""
+    package, _, name = plugins()[filename].module.rpartition(".")
+    try:
+        sample: Sample = importlib.import_module(f"tests.{package}.test_{name}").SAMPLE
+    except (ImportError, AttributeError):
+        pytest.fail(
+            f"write SAMPLE = Sample(...) into tests/{package.replace('.', '/')}/test_{name}.py"
+        )
     return sample

@@ -5,6 +5,14 @@ from __future__ import annotations
 import pytest
 
 from simkit.graph import LogLevel
+from tests.simkit.plugins.samples import END_OF_SENSOR, Sample, in_sensor, link
+
+SAMPLE = Sample(
+    robot=link("bob", '<box size="0.2 0.2 0.2"/>'),
+    tags={"bumperTopicName": "bumps"},
+    before=in_sensor("contact", "<contact><collision>bob_collision</collision></contact>"),
+    after=END_OF_SENSOR,
+)
 
 STATES = "gazebo_msgs/ContactsState"
 G = 9.8

@@ -13,7 +13,23 @@ from simkit.graph import LogLevel
 from simkit.msgs import message_class
 from simkit.physics import Mode
 from simkit.plugins.odometry import EncoderOdometry
-from tests.simkit.plugins.samples import CAR, CASTER, driven, link, tell, wheel
+from tests.simkit.plugins.samples import CAR, CASTER, Sample, driven, link, tell, twist, wheel
+
+SAMPLE = Sample(
+    robot=CAR,
+    tags={
+        "leftJoint": "left_joint",
+        "rightJoint": "right_joint",
+        "wheelSeparation": "0.4",
+        "wheelDiameter": "0.2",
+        "wheelAcceleration": "1",
+        "odometrySource": "encoder",
+        "publishWheelTF": "true",
+        "publishWheelJointState": "true",
+    },
+    rate_tag="updateRate",
+    commands={"/cmd_vel": twist(0.4, 0.5)},
+)
 
 M2WR = Path(__file__).parents[3] / "robots/my_robot_urdf/urdf/m2wr.urdf"
 ODOMETRY = "nav_msgs/Odometry"

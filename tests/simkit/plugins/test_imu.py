@@ -9,6 +9,18 @@ import pytest
 
 from simkit.graph import LogLevel
 from simkit.msgs import service_class
+from tests.simkit.plugins.samples import PENDULUM, Sample
+
+SAMPLE = Sample(
+    robot=PENDULUM,
+    tags={
+        "bodyName": "bob",
+        "topicName": "imu",
+        "serviceName": "calibrate",
+        "gaussianNoise": "0.01",
+    },
+    rate_tag="updateRate",
+)
 
 IMU = "sensor_msgs/Imu"
 

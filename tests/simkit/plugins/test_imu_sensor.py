@@ -9,6 +9,15 @@ import pytest
 
 from simkit.geometry import rotate
 from simkit.graph import LogLevel
+from tests.simkit.plugins.samples import END_OF_SENSOR, NOISY_IMU, PENDULUM, Sample, in_sensor
+
+SAMPLE = Sample(
+    robot=PENDULUM,
+    tags={"topicName": "imu", "frameName": "bob", "gaussianNoise": "0.01"},
+    before=in_sensor("imu", NOISY_IMU, rate="100"),
+    after=END_OF_SENSOR,
+    rate_tag="updateRateHZ",
+)
 
 IMU = "sensor_msgs/Imu"
 G = 9.8

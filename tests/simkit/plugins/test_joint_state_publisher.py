@@ -8,6 +8,9 @@ import math
 import pytest
 
 from simkit.graph import LogLevel
+from tests.simkit.plugins.samples import PENDULUM, Sample
+
+SAMPLE = Sample(robot=PENDULUM, tags={"jointName": "swing"}, rate_tag="updateRate")
 
 STATES = "sensor_msgs/JointState"
 FILENAME = "libgazebo_ros_joint_state_publisher.so"

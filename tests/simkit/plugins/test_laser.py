@@ -8,6 +8,14 @@ import numpy as np
 import pytest
 
 from simkit.graph import LogLevel
+from tests.simkit.plugins.samples import END_OF_SENSOR, PENDULUM, RAY, Sample, in_sensor
+
+SAMPLE = Sample(
+    robot=PENDULUM,
+    tags={"topicName": "scan", "frameName": "bob"},
+    before=in_sensor("ray", RAY),
+    after=END_OF_SENSOR,
+)
 
 SCAN = "sensor_msgs/LaserScan"
 STILL = "<gazebo><static>true</static></gazebo>"

@@ -9,7 +9,13 @@ import pytest
 
 from simkit.geometry import conjugate, multiply, roll_pitch_yaw, rotate
 from simkit.graph import LogLevel
-from tests.simkit.plugins.samples import PENDULUM
+from tests.simkit.plugins.samples import PENDULUM, Sample
+
+SAMPLE = Sample(
+    robot=PENDULUM,
+    tags={"bodyName": "bob", "topicName": "truth", "gaussianNoise": "0.01"},
+    rate_tag="updateRate",
+)
 
 ODOMETRY = "nav_msgs/Odometry"
 LINK = "<bodyName>bob</bodyName>"

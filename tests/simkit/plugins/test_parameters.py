@@ -15,8 +15,8 @@ from simkit.plugins.parameters import (
     tf_prefix,
     topic_of,
 )
+from simkit.plugins.registry import tag, tags_of
 from simkit.plugins.site import Site
-from simkit.plugins.tags import tag, tags_of
 from simkit.xml import parse_xml
 
 

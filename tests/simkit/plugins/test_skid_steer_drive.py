@@ -7,7 +7,22 @@ import pytest
 from simkit.geometry import roll_pitch_yaw
 from simkit.graph import LogLevel
 from simkit.physics import Mode
-from tests.simkit.plugins.samples import ROVER, driven, tell
+from tests.simkit.plugins.samples import ROVER, Sample, driven, tell, twist
+
+SAMPLE = Sample(
+    robot=ROVER,
+    tags={
+        "leftFrontJoint": "left_front_joint",
+        "rightFrontJoint": "right_front_joint",
+        "leftRearJoint": "left_rear_joint",
+        "rightRearJoint": "right_rear_joint",
+        "wheelSeparation": "0.4",
+        "wheelDiameter": "0.2",
+        "broadcastTF": "true",
+    },
+    rate_tag="updateRate",
+    commands={"/cmd_vel": twist(0.4, 0.5)},
+)
 
 SKID = "libgazebo_ros_skid_steer_drive.so"
 ODOMETRY = "nav_msgs/Odometry"

@@ -7,7 +7,34 @@ import math
 import pytest
 
 from simkit.graph import LogLevel
+from simkit.msgs import message_class
 from tests.simkit.plugins.control.conftest import PLUGIN, arm, transmission
+from tests.simkit.plugins.samples import MANAGER, MANAGER_MSGS, PENDULUM, TRANSMISSION, Sample
+
+SAMPLE = Sample(
+    robot=PENDULUM + TRANSMISSION,
+    parameters={
+        "/robot_description": "{urdf}",
+        "/states": {
+            "type": "joint_state_controller/JointStateController",
+            "publish_rate": "{rate}",
+        },
+        "/push": {"type": "effort_controllers/JointEffortController", "joint": "swing"},
+    },
+    calls=(
+        *(
+            (f"{MANAGER}/load_controller", f"{MANAGER_MSGS}/LoadController", {"name": name})
+            for name in ("states", "push")
+        ),
+        (
+            f"{MANAGER}/switch_controller",
+            f"{MANAGER_MSGS}/SwitchController",
+            {"start_controllers": ["states", "push"], "strictness": 2},
+        ),
+    ),
+    commands={"/push/command": message_class("std_msgs/Float64")(0.5)},
+    begins_anew=False,
+)
 
 FORWARD = {
     "PositionJointInterface": "position_controllers/JointGroupPositionController",

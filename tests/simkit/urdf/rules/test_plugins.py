@@ -6,8 +6,7 @@ import pytest
 
 from simkit.diagnostics import Severity
 from simkit.plugins import plugins
-from simkit.plugins.tags import tags_of
-from simkit.urdf.rules.plugin_words import NOT_HERE, other_spellings
+from simkit.plugins.registry import NOT_HERE
 
 MASS = '<inertial><mass value="1"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial>'
 ROBOT = f"""<link name="base_link">{MASS}</link><link name="left_wheel">{MASS}</link>
@@ -77,10 +76,10 @@ def test_plugins_of_the_table_are_known_where_they_belong(told, filename):
     assert ("without reference" if kind is None else f'<sensor type="{kind}">') in one.remedy
 
 
-def test_other_spellings_lead_to_what_is_read():
+def test_what_a_plugin_does_not_read_is_said_once():
     for filename, plugin in plugins().items():
-        read = {tag.name for tag in tags_of(plugin.parameters).values()}
-        assert {*other_spellings(filename).values()} <= read
+        words = [*plugin.tags, *plugin.spellings, *plugin.ignored, *plugin.silent]
+        assert len(set(words)) == len(words), filename
     assert not NOT_HERE & {*plugins()}
 
 
