@@ -42,7 +42,7 @@ class GazeboStarter:
         found = self._found()
         if found is None:
             self._sim.graph.params.set("/use_sim_time", True)
-            self._sim.rosrun(*GZSERVER, "__name:=gazebo")
+            self._sim.start_node(*GZSERVER, "__name:=gazebo")
             found = self._found()
         if found is None:
             raise SimkitError("no world could be started")

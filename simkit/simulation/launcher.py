@@ -95,7 +95,7 @@ class Launcher:
         launch = Launch(
             plan,
             self._sim.graph,
-            self._sim.rosrun,
+            self._sim.start_node,
             folders=[str(folder) for folder in self._sim.packages.folders],
             permissions=permissions,
             all_on_screen=all_on_screen,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from simkit.graph import Executor, Graph, LogRecord
 from simkit.graph.errors import GraphError
@@ -72,10 +72,17 @@ class Simulation:
         confined: bool = False,
     ) -> None:
         self.seed = seed
-        self.packages = PackagePath(package_path, confined=confined)
-        self.graph = Graph(Executor(EPOCH_NS), screen, seed=seed)
         self._runtime = runtime
+        self._screen = screen
+        self.packages = PackagePath(package_path, confined=confined)
         self._scripts: list[ScriptNode] = []
+        self._starts: list[tuple[str, tuple[Any, ...], dict[str, Any]]] = []
+        self._begin()
+        open_simulations.register(self, self._scripts)
+
+    def _begin(self) -> None:
+        """Be empty, at the first moment."""
+        self.graph = Graph(Executor(EPOCH_NS), self._screen, seed=self.seed)
         self.builtins: list[RunningBuiltin] = []
         self.node = self.graph.create_node("/simkit")
         self.graph.reserved_names.add(self.node.name)
@@ -90,7 +97,6 @@ class Simulation:
         self.world_window = WorldWindow(self)
         self.plots = Plots(self)
         self.widgets = Widgets(self)
-        open_simulations.register(self, self._scripts)
 
     def __enter__(self) -> Simulation:
         return self
@@ -109,6 +115,36 @@ class Simulation:
         self.view.close()
         for script in self._scripts:
             script.close()
+
+    def reset(self) -> None:
+        """Begin anew: the same seed, and what `rosrun`, `roslaunch` and `spawn` have started, in that order.
+
+        A cell of a notebook that begins with it gives the same when it is run again. All else is as in a new simulation:
+        topics, parameters, recordings and views made before belong to the simulation that has ended, and what Python code
+        did besides is not done again.
+
+        Raises:
+            SimkitError: What was started can be started no more: its file has changed.
+        """
+        starts = list(self._starts)
+        self.close()
+        self._scripts.clear()
+        self._begin()
+        try:
+            for name, arguments, options in starts:
+                getattr(self, name)(*arguments, **options)
+        finally:
+            self._starts = starts
+
+    def note_start(self, name: str, /, *arguments: Any, **options: Any) -> None:
+        """Keep a start for `reset`.
+
+        Args:
+            name: The method that did it.
+            *arguments: Its arguments.
+            **options: Its arguments by name.
+        """
+        self._starts.append((name, arguments, options))
 
     @property
     def closed(self) -> bool:
@@ -171,6 +207,18 @@ class Simulation:
         Raises:
             UnknownNameError: No such package, or no such executable in it; names near ones.
         """
+        node = self.start_node(package, executable, *arguments, permissions=permissions)
+        self.note_start("rosrun", package, executable, *arguments, permissions=permissions)
+        return node
+
+    def start_node(
+        self,
+        package: str,
+        executable: str,
+        *arguments: str,
+        permissions: Permissions | None = None,
+    ) -> ScriptNode | RunningBuiltin:
+        """As `rosrun`, for a node that is part of another start: `reset` begins it with that."""
         self.require_open()
         if (package, executable) == GZSERVER:
             self.gazebo_starter.begin()
@@ -234,8 +282,8 @@ class Simulation:
     rostopic_pub = delegate("graph_client", GraphClient.rostopic_pub)
     call = delegate("graph_client", GraphClient.call)
     launch_plan = delegate("launcher", Launcher.launch_plan)
-    roslaunch = delegate("launcher", Launcher.roslaunch)
-    spawn = delegate("gazebo_starter", GazeboStarter.spawn)
+    roslaunch = delegate("launcher", Launcher.roslaunch, is_start=True)
+    spawn = delegate("gazebo_starter", GazeboStarter.spawn, is_start=True)
     record = delegate("recorder", Recorder.record)
     record_model = delegate("recorder", Recorder.record_model)
     record_world = delegate("recorder", Recorder.record_world)

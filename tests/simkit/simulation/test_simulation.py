@@ -374,3 +374,70 @@ def test_a_package_path_comes_from_the_environment_too(package, monkeypatch, tmp
         node = sim.rosrun("play", "node.py")
         sim.run(0.1)
     assert node.output == "found\n"
+
+
+def launched(package):
+    """A simulation with a node, a launch file and a model, one second old; and what a recording of it has."""
+    (package.folder / "play" / "one.launch").write_text(
+        "<launch><node pkg='turtlesim' type='turtlesim_node' name='t'/>"
+        "<node pkg='play' type='talk.py' name='talk' output='screen'/></launch>"
+    )
+    package(
+        "talk.py",
+        """
+        import random, rospy
+        rospy.init_node("talk")
+        rospy.loginfo("says %s", random.random())
+        rospy.spin()
+        """,
+    )
+    sim = Simulation(7, package_path=[package.folder], screen=None)
+    sim.rosrun("tf", "static_transform_publisher", "1", "0", "0", "0", "0", "0", "a", "b", "100")
+    sim.roslaunch("play", "one.launch")
+    sim.spawn(
+        "<robot name='box'><link name='a'><inertial><mass value='1'/>"
+        "<inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link></robot>",
+        xyz=(0, 0, 5),
+    )
+    return sim
+
+
+def test_reset_begins_the_same_simulation_anew(package):
+    with launched(package) as sim:
+        seen = []
+        for _ in range(3):
+            sim.run(1.0)
+            seen.append(
+                (
+                    sim.now,
+                    sim.nodes(),
+                    [str(record) for record in sim.log],
+                    sim.world.models["box"].pose,
+                    sim.tf_echo("a", "b"),
+                )
+            )
+            sim.reset()
+        assert seen[0] == seen[1] == seen[2]
+        assert seen[0][3].translation[2] < 1.0
+    assert sim.closed
+
+
+def test_reset_ends_the_processes_of_the_nodes_before(package):
+    with launched(package) as sim:
+        sim.run(0.1)
+        old = sim.roslaunch("play", "one.launch").nodes["/talk"]
+        sim.reset()
+        assert not old.alive
+
+
+def test_a_start_that_can_be_made_no_more_is_named_and_can_be_mended(package):
+    with launched(package) as sim:
+        launch = package.folder / "play" / "one.launch"
+        whole = launch.read_text()
+        launch.unlink()
+        with pytest.raises(SimkitError, match=r"one\.launch"):
+            sim.reset()
+        launch.write_text(whole)
+        sim.reset()
+        sim.run(0.1)
+        assert "/talk" in sim.nodes()
