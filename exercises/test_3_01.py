@@ -128,7 +128,7 @@ def test_the_orientation_follows_the_turtle(turtle, rng):
         (transform.rotation, turtle.pose_at(transform.time).theta)
         for transform in turtle.of_frame("turtle1")[5:]
     ]
-    # A large angle tells a mistake better than a small one, so it is looked at first.
+    # A large angle shows a mistake more clearly than a small one, so it is looked at first.
     for rotation, theta in sorted(samples, key=lambda sample: abs(abs(sample[1]) - 1.2)):
         expect_a_heading(rotation, theta)
 

@@ -19,7 +19,7 @@ MOST = 200  # transforms a second: more is never needed
 
 @pytest.fixture
 def watch(sim):
-    """Turtlesim, the turtle's frame, and a recording of all that is heard."""
+    """Turtlesim, the turtle's frame, and a recording of everything that is received."""
     sim.rosrun("turtlesim", "turtlesim_node")
     broadcast_turtle(sim)
     return TurtleWatch(sim)

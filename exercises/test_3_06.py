@@ -1,4 +1,4 @@
-"""Exercise 3.6, public checks: a base of one's own, a parameter, and a signpost that is mended."""
+"""Exercise 3.6, public checks: a base of one's own, a parameter, and a signpost that is fixed."""
 
 import pytest
 

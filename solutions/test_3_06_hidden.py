@@ -11,7 +11,7 @@ from grader.checks.rotations import about_z, apart, rotation_of
 
 @pytest.fixture
 def signpost(exercise, submission, package_path):
-    """The mended signpost."""
+    """The fixed signpost."""
     return RobotFiles(exercise, submission, package_path).robot("signpost.urdf")
 
 

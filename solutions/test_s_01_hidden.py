@@ -1,4 +1,4 @@
-"""Exercise S.1, hidden checks: a curve, and what odometry says of it."""
+"""Exercise S.1, hidden checks: a curve, and the odometry along it."""
 
 import math
 

@@ -52,7 +52,7 @@ class DrivenArm:
         """Send a trajectory; joints that a point does not name stay where they are.
 
         Args:
-            *points: For each point its time [s], and where joints shall be then [rad].
+            *points: For each point its time [s], and the angles of joints at that time [rad].
             order: The order in which the joints are named; their own if None.
         """
         names = list(order or self.joints)
@@ -73,7 +73,7 @@ class DrivenArm:
         """Expect joints to be at angles [rad].
 
         Raises:
-            CheckFailed: They are elsewhere; tells what the controller said.
+            CheckFailed: They are not; the failure contains what the controller has logged.
         """
         for name, goal in goals.items():
             (position,) = self.at(name)

@@ -113,7 +113,7 @@ class DrivenRobot:
         return self.stand.seen_from(start)
 
     def drag(self, *wheels: str) -> float:
-        """How hard the floor holds back what is no wheel, as a share of what it carries there; now."""
+        """Friction on the parts that are not wheels, as a share of the weight on them; now."""
         held = carried = 0.0
         for contact in self._sim.world.contacts():
             for side in (contact.first, contact.second):
@@ -163,7 +163,7 @@ def expect_ball(
         wheels: Links that do not count; wheels may be balls as well.
 
     Raises:
-        CheckFailed: No ball is on the floor, more than one, or it is elsewhere.
+        CheckFailed: No ball is on the floor, more than one, or it is in another place.
     """
     origin = place_of(model, link).origin
     balls = [

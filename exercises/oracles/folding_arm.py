@@ -26,7 +26,7 @@ def elbow_and_tip(hip: float, shoulder: float, elbow: float) -> tuple[Point, Poi
 
     Args:
         hip: Angle [rad].
-        shoulder: Angle [rad]; 0 is level.
+        shoulder: Angle [rad]; 0 is horizontal.
         elbow: Angle [rad]; 0 is straight on.
     """
     torso = about_z(hip)

@@ -19,7 +19,7 @@ def expect_frame(
     Args:
         heard: All transforms that were heard.
         child: The frame.
-        parent: Where it hangs.
+        parent: The frame that it is attached to.
         given: Frames that the check broadcasts itself.
 
     Returns:

@@ -1,6 +1,6 @@
 """A robot with the joints of the arm and its controller, so that a node that drives it is judged by itself.
 
-It is no solution: balls on a stick, a metre apart.
+It is not a solution: balls on a stick, a metre apart.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ def given_arm(sim: Simulation, *joints: str, model: str) -> DrivenArm:
 
     Args:
         sim: A simulation without another robot.
-        *joints: Names of its joints; each hangs on the one before it.
+        *joints: Names of its joints; each is attached to the one before it.
         model: Its name in the world.
     """
     text = _urdf(joints)

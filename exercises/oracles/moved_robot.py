@@ -1,4 +1,4 @@
-"""A student's robot, moved: where its links and their ends are, as tf says for given joint angles.
+"""A student's robot, moved: where its links and their ends are, according to tf, for given joint angles.
 
 The robot stands on the graph as in RViz: its text is the parameter robot_description, a
 robot_state_publisher broadcasts its frames, and the angles come in messages on /joint_states.
@@ -22,7 +22,7 @@ _NEAR = 1e-3
 
 
 class SeenRobot:
-    """A robot whose frames somebody broadcasts, to be measured.
+    """A robot whose frames are broadcast, to be measured.
 
     Args:
         sim: The simulation.
@@ -105,13 +105,13 @@ def expect_to_follow(seen: SeenRobot, text: str, link: str, **angles: float) -> 
     """Expect tf to have a link where the robot's own file puts it when its joints are at these angles [rad].
 
     Args:
-        seen: The robot as somebody else broadcasts it, e.g. the nodes of a launch file.
+        seen: The robot as other nodes broadcast it, e.g. those of a launch file.
         text: The text of its URDF.
         link: The link.
         angles: By joint.
 
     Raises:
-        CheckFailed: It is elsewhere, or turned otherwise.
+        CheckFailed: Its position or its orientation is another one.
     """
     with Simulation(screen=None) as alone:
         moved = MovedRobot(alone, seen.robot, text)

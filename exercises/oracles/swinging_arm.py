@@ -19,7 +19,7 @@ STEP = 5e-4
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SwingingArm:
-    """An arm that hangs on a torso, without friction; the numbers are the book's."""
+    """An arm on a torso, without friction; the numbers are the book's."""
 
     mass: float = 1.0
     """Of the upper arm [kg]."""

@@ -56,7 +56,7 @@ def test_an_exercise_says_what_to_read_first_and_what_a_machine_with_ros_needs(
     for lecture, heading in links:
         headings = (root / f"{lecture}.md").read_text(encoding="utf-8").replace(" ", "-")
         assert f"\n##-{heading}\n" in headings
-    assert "\n> **On a machine with ROS.** " in text
+    assert "\n> **On a machine with ROS**\n" in text
 
 
 def test_the_solution_passes_every_check(root: Path, exercise: Exercise) -> None:
