@@ -53,9 +53,15 @@ def test_an_exercise_says_what_to_read_first_and_what_a_machine_with_ros_needs(
     text = (root / "solutions" / f"{exercise.slug}.md").read_text(encoding="utf-8")
     links = re.findall(r"\]\((lectures/\w+)\.ipynb#([^)]+)\)", text.split("**You will learn**")[0])
     assert links
-    for lecture, heading in links:
-        headings = (root / f"{lecture}.md").read_text(encoding="utf-8").replace(" ", "-")
-        assert f"\n##-{heading}\n" in headings
+    broken_laws(
+        [
+            f"{lecture}.md has no heading {heading!r}"
+            for lecture, heading in links
+            if f"\n##-{heading}\n"
+            not in (root / f"{lecture}.md").read_text("utf-8").replace(" ", "-")
+        ],
+        f"correct the link under the title of solutions/{exercise.slug}.md",
+    )
     assert "\n> **On a machine with ROS**\n" in text
 
 
