@@ -197,11 +197,9 @@ class AttributeList:
             self._cut(place, cut)
             return
         if bracket >= 0:
-            what, kind = (
-                f"< cannot stand in the value of {shortened(name[0])}",
-                FaultKind.BAD_CHARACTER,
-            )
-            source.fault(kind, bracket, bracket + 1, what=what, remedy="Write &lt; instead.")
+            what = f"< cannot stand in the value of {shortened(name[0])}"
+            remedy, kind = "Write &lt; instead.", FaultKind.BAD_CHARACTER
+            source.fault(kind, bracket, bracket + 1, what=what, remedy=remedy)
         self._keep(place, *replace_in_value(source, at + 1, end))
         self.at = end + 1
 
@@ -221,11 +219,8 @@ class AttributeList:
     def _unquoted(self, name: re.Match[str], at: int) -> None:
         found, shown = _unquoted_value(self._source.text, at), shortened(name[0])
         if found is None:
-            what, remedy = (
-                f"there is no value behind {shown}=",
-                f'Write {shown}="...", or delete it.',
-            )
-            self.fault(*name.span(), what=what, remedy=remedy)
+            what = f"there is no value behind {shown}="
+            self.fault(*name.span(), what=what, remedy=f'Write {shown}="...", or delete it.')
             self.at = at
             return
         self.fault(

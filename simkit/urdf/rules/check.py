@@ -69,7 +69,7 @@ _SUBJECTS: Mapping[str, Callable[[Sheet], object]] = {
     **dict.fromkeys(("inertia", "shape_inertia", "shape_places", "spawn"), _has_bodies),
     **dict.fromkeys(("gazebo_blocks", "colours"), lambda sheet: sheet.gazebo or _has_bodies(sheet)),
     "sensors": lambda sheet: sheet.gazebo,
-    **dict.fromkeys(("plugins", "plugin_names"), lambda sheet: sheet.plugins),
+    **dict.fromkeys(("plugins", "plugin_joints"), lambda sheet: sheet.plugins),
     "drive": _has_drive,
     "transmissions": lambda sheet: sheet.plugins or sheet.transmissions or sheet.companions,
     **dict.fromkeys(("controllers", "launch_files"), lambda sheet: sheet.companions),

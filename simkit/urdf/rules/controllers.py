@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from simkit.diagnostics import Find, Severity, rule
 from simkit.plugins.control.registry import CONTROLLER_TYPES, FAMILIES
 from simkit.urdf.rules.companions import Faulty, ListedController, gains_below, listed_controllers
-from simkit.urdf.rules.plugin_names import joint_advice, moving_joints
+from simkit.urdf.rules.plugin_joints import joint_advice, moving_joints
 from simkit.urdf.rules.sheet import CompanionKind, Sheet
 from simkit.urdf.rules.vocabulary import nearest
 from simkit.urdf.rules.wording import listed, meant, quoted, shown

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.urdf.rules.bodies import lumps, mass_of, standing_shapes, zero_pose
-from simkit.urdf.rules.drive_facts import Drive, Wheel, drives, middle_of
 from simkit.urdf.rules.entries import BodyEntry, LinkEntry
+from simkit.urdf.rules.plugin_joints import Drive, Wheel, drives, middle_of
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.vocabulary import tag_value
 from simkit.urdf.rules.wording import four_digits, quoted, read_number, triple

@@ -1,4 +1,4 @@
-"""Rules on ros_control: the transmissions of a URDF, and the controllers of a YAML file beside it."""
+"""Rules on who moves joints, and who says where they are: transmissions and their plugin, and the list of joints to publish."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from simkit.diagnostics import Find, Part, Severity, rule
 from simkit.plugins.control.registry import INTERFACES, POSITION, PREFIX
 from simkit.urdf.rules.entries import TransmissionEntry
-from simkit.urdf.rules.plugin_names import joint_advice, moving_joints
+from simkit.urdf.rules.plugin_joints import joint_advice, moving_joints
 from simkit.urdf.rules.sheet import Sheet
 from simkit.urdf.rules.vocabulary import nearest
 from simkit.urdf.rules.wording import listed, meant, quoted, shown
@@ -213,3 +213,75 @@ def _no_interface(transmission: TransmissionEntry, joint: Element, bad: Severity
         gazebo=f"No valid hardware interface element found: {_SKIPPED}",
         remedy=f"Add <hardwareInterface>{PREFIX}{POSITION}</hardwareInterface> to this <joint>.",
     )
+
+
+_PLUGIN = "libgazebo_ros_joint_state_publisher.so"
+
+
+@rule("CTL-W06", "a list of joints that does not fit the robot", Severity.ERROR)
+def listed_joints(sheet: Sheet) -> Iterator[Find]:
+    """The list of joints in `<jointName>` does not fit the robot.
+
+    Symptom: `No transform from [lower_arm]` in RViz: a part of the robot hangs in the air. Or Gazebo ends with `Joint ...
+    does not exist!`.
+
+    Cause: A joint was added to the robot and not to the list, or its name is misspelt. The list is one line, with commas
+    between the names; blanks do not matter, line breaks do.
+
+    Remedy: All joints that move, in one `<jointName>`.
+
+    Right:
+
+        <jointName>hip, shoulder, elbow</jointName>
+    """
+    plugins = [plugin for plugin in sheet.plugins if plugin.filename == _PLUGIN]
+    listed_names: set[str] = set()
+    for plugin in plugins:
+        for element in plugin.element.all("jointName"):
+            yield from _wrong_names(sheet, element, listed_names)
+    mimicking = {joint.name for joint in sheet.joints if joint.mimic_element is not None}
+    unlisted = [
+        joint.name
+        for joint in sheet.joints
+        if joint.moves and joint.name and joint.name not in listed_names | mimicking
+    ]
+    first = next((found for one in plugins if (found := one.parameter("jointName"))), None)
+    if first is not None and unlisted:
+        every = ", ".join(moving_joints(sheet))
+        yield Find(
+            Part(first),
+            severity=Severity.WARNING,
+            what=f"the list of joints lacks {listed(unlisted)}",
+            here="Nobody says where these joints are: the links below have no frame.",
+            gazebo="Nobody says where these joints are: RViz shows no transform for the links below.",
+            remedy=f"Write <jointName>{shown(every)}</jointName>.",
+        )
+
+
+def _wrong_names(sheet: Sheet, element: Element, listed_names: set[str]) -> Iterator[Find]:
+    """What is wrong with the names in one list; the right ones are added to `listed_names`."""
+    names = element.text.strip().replace(" ", "").split(",")
+    moving = moving_joints(sheet)
+    known = set(moving)
+    one_line = shown(", ".join("".join(name.split()) for name in names))
+    for name in names:
+        bare = "".join(name.split())
+        if bare in known:
+            listed_names.add(bare)
+            if bare == name:
+                continue
+            what = f"a line break or tab stands in the list of joints, next to {quoted(bare)}"
+            remedy = f"Write the list in one line: {one_line}."
+        elif not bare:
+            what, remedy = "the list of joints has an empty name", "Leave out the needless comma."
+        else:
+            why = "which is fixed" if bare in sheet.joint_by_name else "and there is no such joint"
+            what = f"the list of joints names {quoted(bare)}, {why}"
+            remedy = joint_advice(sheet, bare, moving)
+        yield Find(
+            Part(element),
+            what=what,
+            here="simkit refuses to start the plugin.",
+            gazebo="Joint ... does not exist! The plugin then crashes Gazebo.",
+            remedy=remedy,
+        )

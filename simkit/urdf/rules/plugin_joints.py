@@ -1,15 +1,21 @@
-"""Rules about the names of links and joints that plugins are given."""
+"""The joints and links that plugins name: a rule on names that are not there, and the wheels that a drive turns."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 from simkit.diagnostics import Find, Part, Severity, rule
-from simkit.plugins.registry import Names, plugins
-from simkit.urdf.rules.bodies import parents_by_fixed_joint
-from simkit.urdf.rules.entries import PluginElement
+from simkit.geometry import Transform, Vector
+from simkit.plugins.registry import Names, TagField, plugins, tags_of
+from simkit.plugins.tags import DiffDriveParameters, SkidSteerDriveParameters
+from simkit.urdf.rules.bodies import Standing, parents_by_fixed_joint, standing_shapes, zero_pose
+from simkit.urdf.rules.entries import JointEntry, PluginElement
 from simkit.urdf.rules.sheet import Sheet
-from simkit.urdf.rules.wording import listed, meant, quoted, shown
+from simkit.urdf.rules.tree_facts import is_whole
+from simkit.urdf.rules.wording import listed, meant, quoted, read_number
+from simkit.urdf.wheel import round_part
 from simkit.xml import Element
 
 _SHOWN = 8
@@ -152,73 +158,133 @@ def _name_remedy(sheet: Sheet, kind: str, name: str, known: list[str]) -> str:
     return meant(sheet.near(name, known)).strip() or known_names(kind, known)
 
 
-_PLUGIN = "libgazebo_ros_joint_state_publisher.so"
+_DRIVES: dict[str, type[DiffDriveParameters | SkidSteerDriveParameters]] = {
+    "libgazebo_ros_diff_drive.so": DiffDriveParameters,
+    "libgazebo_ros_skid_steer_drive.so": SkidSteerDriveParameters,
+}
 
 
-@rule("CTL-W06", "a list of joints that does not fit the robot", Severity.ERROR)
-def listed_joints(sheet: Sheet) -> Iterator[Find]:
-    """The list of joints in `<jointName>` does not fit the robot.
+@dataclass(frozen=True, kw_only=True)
+class Wheel:
+    """One driven wheel, all joints at 0, seen from the base frame of the robot."""
 
-    Symptom: `No transform from [lower_arm]` in RViz: a part of the robot hangs in the air. Or Gazebo ends with `Joint ...
-    does not exist!`.
-
-    Cause: A joint was added to the robot and not to the list, or its name is misspelt. The list is one line, with commas
-    between the names; blanks do not matter, line breaks do.
-
-    Remedy: All joints that move, in one `<jointName>`.
-
-    Right:
-
-        <jointName>hip, shoulder, elbow</jointName>
-    """
-    plugins = [plugin for plugin in sheet.plugins if plugin.filename == _PLUGIN]
-    listed_names: set[str] = set()
-    for plugin in plugins:
-        for element in plugin.element.all("jointName"):
-            yield from _wrong_names(sheet, element, listed_names)
-    mimicking = {joint.name for joint in sheet.joints if joint.mimic_element is not None}
-    unlisted = [
-        joint.name
-        for joint in sheet.joints
-        if joint.moves and joint.name and joint.name not in listed_names | mimicking
-    ]
-    first = next((found for one in plugins if (found := one.parameter("jointName"))), None)
-    if first is not None and unlisted:
-        every = ", ".join(moving_joints(sheet))
-        yield Find(
-            Part(first),
-            severity=Severity.WARNING,
-            what=f"the list of joints lacks {listed(unlisted)}",
-            here="Nobody says where these joints are: the links below have no frame.",
-            gazebo="Nobody says where these joints are: RViz shows no transform for the links below.",
-            remedy=f"Write <jointName>{shown(every)}</jointName>.",
-        )
+    joint: JointEntry
+    """The joint that is turned."""
+    element: Element
+    """Where the plugin names it; the plugin itself if it does not."""
+    middle: Vector
+    """Middle of its round shape; origin of the joint if it has none [m]."""
+    axis: Vector
+    """What it turns about, of length 1; all 0 if that cannot be read."""
+    radius: float | None
+    """[m]; None if it has no round shape."""
+    lowest: float | None
+    """z of its lowest point, seen from the root link [m]; None if it touches nothing."""
 
 
-def _wrong_names(sheet: Sheet, element: Element, listed_names: set[str]) -> Iterator[Find]:
-    """What is wrong with the names in one list; the right ones are added to `listed_names`."""
-    names = element.text.strip().replace(" ", "").split(",")
-    moving = moving_joints(sheet)
-    known = set(moving)
-    one_line = shown(", ".join("".join(name.split()) for name in names))
-    for name in names:
-        bare = "".join(name.split())
-        if bare in known:
-            listed_names.add(bare)
-            if bare == name:
-                continue
-            what = f"a line break or tab stands in the list of joints, next to {quoted(bare)}"
-            remedy = f"Write the list in one line: {one_line}."
-        elif not bare:
-            what, remedy = "the list of joints has an empty name", "Leave out the needless comma."
-        else:
-            why = "which is fixed" if bare in sheet.joint_by_name else "and there is no such joint"
-            what = f"the list of joints names {quoted(bare)}, {why}"
-            remedy = joint_advice(sheet, bare, moving)
-        yield Find(
-            Part(element),
-            what=what,
-            here="simkit refuses to start the plugin.",
-            gazebo="Joint ... does not exist! The plugin then crashes Gazebo.",
-            remedy=remedy,
-        )
+@dataclass(frozen=True, kw_only=True)
+class Drive:
+    """A drive plugin whose joints all exist."""
+
+    plugin: PluginElement
+    left: tuple[Wheel, ...]
+    right: tuple[Wheel, ...]
+    base: str
+    """The link that all is seen from."""
+
+    @property
+    def wheels(self) -> tuple[Wheel, ...]:
+        """All of them, the left ones first."""
+        return (*self.left, *self.right)
+
+    def number(self, name: str) -> float | None:
+        """A parameter, or its default; None if it is not read or is no number."""
+        tag = next((one for one in self._tags.values() if one.name == name), None)
+        element = self.plugin.parameter(name)
+        if element is not None and tag is not None:
+            return read_number(element.text)
+        return None if tag is None else float(tag.default)
+
+    def place(self, name: str) -> Element:
+        """Where a parameter stands; the plugin if it is not given."""
+        return self.plugin.parameter(name) or self.plugin.element
+
+    @property
+    def torque_name(self) -> str:
+        """What this plugin calls its torque."""
+        return self._tags[_DRIVES[self.plugin.filename or ""].TORQUE].name
+
+    @property
+    def _tags(self) -> dict[str, TagField]:
+        return tags_of(_DRIVES[self.plugin.filename or ""])
+
+
+def drives(sheet: Sheet) -> list[Drive]:
+    """The drive plugins of a robot whose wheels can be found."""
+    found = []
+    plugins = [plugin for plugin in sheet.plugins if plugin.filename in _DRIVES]
+    if not plugins or not is_whole(sheet):
+        return []
+    standing = zero_pose(sheet)
+    for plugin in plugins[:20]:
+        base = _base(sheet, plugin, standing)
+        kind = _DRIVES[plugin.filename or ""]
+        tags = tags_of(kind)
+        sides = [
+            tuple(_wheel(sheet, plugin, tags[field].name, standing, base) for field in side)
+            for side in kind.SIDES
+        ]
+        left, right = (tuple(wheel for wheel in side if wheel is not None) for side in sides)
+        if base is not None and all(None not in side for side in sides):
+            found.append(Drive(plugin=plugin, left=left, right=right, base=base))
+    return found
+
+
+def middle_of(wheels: tuple[Wheel, ...]) -> Vector:
+    """The middle between some wheels [m]."""
+    x, y, z = (sum(wheel.middle[axis] for wheel in wheels) / len(wheels) for axis in range(3))
+    return (x, y, z)
+
+
+def _base(sheet: Sheet, plugin: PluginElement, standing: dict[str, Standing]) -> str | None:
+    """The base frame that the plugin names if it is a link, else the root of the tree."""
+    element = plugin.parameter("robotBaseFrame")
+    named = "" if element is None else element.text.strip().lstrip("/")
+    if named in standing:
+        return named
+    return next((link.name for link in sheet.links if link.name in standing and sheet.is_root(link)), None)  # fmt: skip
+
+
+def _wheel(
+    sheet: Sheet,
+    plugin: PluginElement,
+    parameter: str,
+    standing: dict[str, Standing],
+    base: str | None,
+) -> Wheel | None:
+    element = plugin.parameter(parameter)
+    joint = None if element is None else sheet.joint_by_name.get(element.text.strip())
+    where = standing.get((joint.child if joint is not None else None) or "")
+    if element is None or joint is None or where is None or base is None or not joint.moves:
+        return None
+    seen_from = standing[base]
+    if seen_from.root != where.root:
+        return None
+    link = sheet.link_by_name[joint.child or ""]
+    touched = standing_shapes(link.collisions, where)
+    rolling = round_part((*touched, *standing_shapes(link.visuals, where)))
+    middle = where.frame.translation if rolling is None else rolling[1].translation
+    return Wheel(
+        joint=joint,
+        element=element,
+        middle=seen_from.frame.apply_back(middle),
+        axis=_axis(joint, seen_from.frame.inverse() @ where.frame),
+        radius=None if rolling is None else rolling[0].radius,
+        lowest=min((shape.lowest() for shape in touched), default=None),
+    )
+
+
+def _axis(joint: JointEntry, frame: Transform) -> Vector:
+    x, y, z = frame.rotate(joint.axis or (0.0, 0.0, 0.0))
+    length = math.hypot(x, y, z)
+    return (x / length, y / length, z / length) if 0.0 < length < math.inf else (0.0, 0.0, 0.0)
