@@ -41,7 +41,7 @@ class GzServer(Program):
         super().__init__(node)
         name, is_paused = _arguments(argv)
         world = find_world(name, packages)
-        _tell(node, world)
+        _warn_of_losses(node, world)
         self.gazebo = Gazebo(node, packages, description=world, paused=is_paused)
         offer_services(self.gazebo)
         publish_states(self.gazebo)
@@ -68,8 +68,8 @@ def _arguments(argv: list[str]) -> tuple[str, bool]:
     return (names[0] if names else ""), is_paused
 
 
-def _tell(node: Node, world: SdfWorld) -> None:
-    """Say what the world file has and the world has not."""
+def _warn_of_losses(node: Node, world: SdfWorld) -> None:
+    """Warn of what the world file has and the world has not."""
     for one in world.diagnostics:
         if one.severity is not Severity.NOTE:
             node.warn(f"{one.file}:{one.span.line}:{one.span.column}: {one.what}")

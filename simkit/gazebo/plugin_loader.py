@@ -1,6 +1,6 @@
 """Which plugins a model has, and how they are put to work.
 
-A plugin that cannot work is complained of, and the model is there without it, as in Gazebo.
+An error names a plugin that cannot work, and the model is there without it, as in Gazebo.
 
 Source: sdformat `parser_urdf.cc`: the plugins of `<gazebo>` without a reference belong to the model, sensors
 to the link that is named; gazebo_ros_api_plugin for namespaces.

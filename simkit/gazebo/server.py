@@ -94,7 +94,7 @@ class Gazebo:
             SpawnError: There is a model of that name, no such frame, or nothing that can be simulated.
         """
         at = self._placed(name, pose, reference_frame)
-        self._tell_faults(text, file or name)
+        self._log_faults(text, file or name)
         try:
             robot = load_robot(text, file=file or name, packages=self.packages)
             plan = plan_robot(robot)
@@ -206,8 +206,8 @@ class Gazebo:
             )
         return self.frame(reference_frame) @ pose
 
-    def _tell_faults(self, text: str, file: str) -> None:
-        """Say what check_urdf finds, once for each text."""
+    def _log_faults(self, text: str, file: str) -> None:
+        """Log what check_urdf finds, once for each text."""
         reading = read_robot(text, file=file, packages=self.packages)
         if reading.is_first_report_to(self.node.graph):
             for line in brief_lines(reading, is_file=False):

@@ -29,14 +29,14 @@ def publish_states(gazebo: Gazebo) -> None:
     ):
         _EachStep(gazebo, node.advertise(topic, message_class(type_name)), message)
 
-    def hear(state: Any) -> None:
+    def on_state(state: Any) -> None:
         try:
             set_model_state(gazebo, state)
         except SimkitError as error:
             node.error(str(error))
 
     kind: Any = message_class("gazebo_msgs/ModelState")
-    node.subscribe("/gazebo/set_model_state", kind, hear)
+    node.subscribe("/gazebo/set_model_state", kind, on_state)
 
 
 class _EachStep:

@@ -41,11 +41,11 @@ class Ties:
 
     busy: dict[int, ModelJoint]
     """The joints of the world that need attention in every step."""
-    led: set[str]
+    tracking: set[str]
     """Names of the joints of the model that are on their way to a position."""
     driven: set[str]
     """Names of the joints of the model whose motors hold a speed."""
-    stirred: Callable[[], None]
+    on_command: Callable[[], None]
     """To be called when it is driven in another way."""
     touched: Callable[[], None]
     """To be called when it is put somewhere."""
@@ -142,7 +142,7 @@ class ModelJoint:
         bound = min(self._bound, STRONGEST)
         self._target = min(max(_number(effort, self.name), -bound), bound)
         self._joint.setCommand(0, self._target)
-        self._ties.stirred()
+        self._ties.on_command()
         if math.isfinite(self.plan.velocity):
             self._ties.busy[id(self)] = self
 
@@ -165,7 +165,7 @@ class ModelJoint:
             self._joint.setForceUpperLimit(0, bound)
         self._target = wanted[2]
         self._joint.setCommand(0, self._target)
-        self._ties.stirred()
+        self._ties.on_command()
 
     def command_position(self, position: float) -> None:
         """Hold a position, within its limits: it is there after the next step, and stays.
@@ -180,13 +180,13 @@ class ModelJoint:
         if (
             self.mode is Mode.POSITION
             and target == self.position
-            and self.name not in self._ties.led
+            and self.name not in self._ties.tracking
         ):
             return  # it is there, and at rest
         self._switch(Mode.POSITION, dart().dynamics.ActuatorType.VELOCITY)
         self._target = target
         self._ties.busy[id(self)] = self
-        self._ties.led.add(self.name)
+        self._ties.tracking.add(self.name)
 
     def release(self) -> None:
         """Let it go."""
@@ -237,7 +237,7 @@ class ModelJoint:
 
     def _rest(self) -> None:
         self._ties.busy.pop(id(self), None)
-        self._ties.led.discard(self.name)
+        self._ties.tracking.discard(self.name)
         self._ties.driven.discard(self.name)
 
     def _within(self, position: float) -> float:

@@ -40,14 +40,18 @@ class Model:
     ) -> None:
         self.name = name
         self.plan = plan
-        self.led: set[str] = set()
+        self.tracking: set[str] = set()
         """Names of the joints that are on their way to a commanded position."""
         self.driven: set[str] = set()
         """Names of the joints whose motors hold a speed."""
         self.is_calm = False
         """Whether it was slow at the last look, and nothing was done to it since."""
         ties = Ties(
-            busy=busy, led=self.led, driven=self.driven, stirred=self._stir, touched=touched
+            busy=busy,
+            tracking=self.tracking,
+            driven=self.driven,
+            on_command=self._on_command,
+            touched=touched,
         )
         self.joints: Mapping[str, ModelJoint] = {
             one.name: ModelJoint(one, built.joints[one.name], ties)
@@ -175,7 +179,7 @@ class Model:
             pose: Where its frame shall be in the world.
 
         Raises:
-            PhysicsError: A number is none.
+            PhysicsError: A number is NaN or infinite.
         """
         moved = checked_pose(pose)
         motion = moved @ self.pose.inverse()
@@ -195,7 +199,7 @@ class Model:
             angular: Angular velocity in the world [rad/s].
 
         Raises:
-            PhysicsError: A number is none.
+            PhysicsError: A number is NaN or infinite.
         """
         if not all(abs(v) <= FARTHEST for v in (*linear, *angular)):
             raise PhysicsError(
@@ -238,7 +242,7 @@ class Model:
 
         Raises:
             UnknownNameError: As `link_pose`.
-            PhysicsError: A number is none.
+            PhysicsError: A number is NaN or infinite.
         """
         body, mount = self._mount(link)
         if not all(abs(x) <= STRONGEST for x in (*force, *torque, *point)):
@@ -260,7 +264,7 @@ class Model:
         self.placings += 1
         self._touched()
 
-    def _stir(self) -> None:
+    def _on_command(self) -> None:
         self.is_calm = False
 
     def _mount(self, link: str) -> tuple[Any, Transform]:

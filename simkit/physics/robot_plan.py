@@ -53,7 +53,7 @@ def plan_robot(robot: Robot) -> ModelPlan:
         robot: The robot; a root link named `world` fixes it to the world.
 
     Raises:
-        ModelError: A mass is negative, an axis is zero, or a number is none.
+        ModelError: A mass is negative, an axis is zero, or a number is NaN.
     """
     return _Planner(robot, read_gazebo_tags(robot)).plan()
 

@@ -61,7 +61,7 @@ class SecondOrder:
     Args:
         plan: What it is.
         built: What the engine made of it.
-        led: Names of its joints that are on their way to a commanded position: their motion is not one
+        tracking: Names of its joints that are on their way to a commanded position: their motion is not one
             that forces make, so that steps are plain while there are any.
         driven: Names of its joints whose motors hold a speed: they need no kick.
     """
@@ -71,11 +71,11 @@ class SecondOrder:
         plan: ModelPlan,
         built: Built,
         *,
-        led: Collection[str] = (),
+        tracking: Collection[str] = (),
         driven: Collection[str] = (),
     ) -> None:
         self._swings = True
-        self._led, self._driven = led, driven
+        self._tracking, self._driven = tracking, driven
         self._dofs = {
             name: built.joints[name].getIndexInSkeleton(0)
             for name, joint in plan.joints.items()
@@ -111,7 +111,7 @@ class SecondOrder:
     @property
     def is_on(self) -> bool:
         """Whether the next step is of second order."""
-        return self._can_swing and self._swings and not self._led
+        return self._can_swing and self._swings and not self._tracking
 
     def start(self) -> None:
         """Make second-order steps from now on, until it has been slow for a while: it may begin to swing."""

@@ -129,7 +129,7 @@ def shapes_of(group: RigidGroup, tags: GazeboTags) -> tuple[tuple[ShapePlan, ...
     """The shapes of a group in its frame, and what is not as the file says.
 
     Raises:
-        ModelError: A number of a shape is none.
+        ModelError: A number of a shape is NaN.
     """
     shelf = _Shelf(group.name, tags)
     for member in group.members:

@@ -91,7 +91,9 @@ class ModelWatch:
 
     def __init__(self, model: Model) -> None:
         self.model = model
-        self.second_order = SecondOrder(model.plan, model.built, led=model.led, driven=model.driven)
+        self.second_order = SecondOrder(
+            model.plan, model.built, tracking=model.tracking, driven=model.driven
+        )
         self._skeleton = model.built.skeleton
         self._is_realistic = is_realistic(model.plan)
         self._is_fresh = True
@@ -99,7 +101,7 @@ class ModelWatch:
     @property
     def is_quiet(self) -> bool:
         """Whether the engine can be left alone with it."""
-        return self.model.is_calm and not self.model.velocity_decay.are_on
+        return self.model.is_calm and not self.model.velocity_decay.is_on
 
     def start(self) -> None:
         """Something was done to it: anything may happen."""

@@ -30,8 +30,8 @@ class VelocityDecay:
         self._pushed = pushed
 
     @property
-    def are_on(self) -> bool:
-        """Whether a body of the model is braked."""
+    def is_on(self) -> bool:
+        """Whether a body of the model loses velocity."""
         return bool(self._bodies)
 
     def act(self, step_s: float) -> None:

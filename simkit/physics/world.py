@@ -127,7 +127,7 @@ class World:
 
         Raises:
             ModelError: There is a model of that name.
-            PhysicsError: A number of the pose is none.
+            PhysicsError: A number of the pose is NaN or infinite.
         """
         name = plan.name if name is None else name
         if name in self._models:

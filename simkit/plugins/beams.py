@@ -35,7 +35,7 @@ class Row:
     samples: int = 640
     """How many beams are cast."""
     resolution: float = 1.0
-    """How many ranges are told for each beam that is cast."""
+    """How many ranges are published for each beam that is cast."""
     min_angle: float = 0.0
     """Angle of the first [rad]."""
     max_angle: float = 0.0
@@ -43,7 +43,7 @@ class Row:
 
     @property
     def count(self) -> int:
-        """How many ranges are told."""
+        """How many ranges are published."""
         return int(self.samples * self.resolution)
 
     @property
@@ -80,7 +80,7 @@ class RayTag:
 
     @property
     def is_resampled(self) -> bool:
-        """Whether the ranges that are told are not those of the beams."""
+        """Whether the published ranges are not those of the beams."""
         return any(row.count != row.samples for row in (self.flat, self.upright))
 
 
@@ -128,7 +128,7 @@ def directions(tag: RayTag) -> Floats:
 
 
 def resampled(tag: RayTag, values: Floats, *, blend: bool) -> Floats:
-    """What is told, made of what the beams brought.
+    """What is published, interpolated between the beams.
 
     Args:
         tag: The beams.
@@ -136,7 +136,7 @@ def resampled(tag: RayTag, values: Floats, *, blend: bool) -> Floats:
         blend: Whether the four beams around are weighed by how near they are; else their mean is taken.
 
     Returns:
-        One for each range that is told.
+        One for each published range.
     """
     grid = values.reshape(tag.upright.samples, tag.flat.samples)
     below, above, up = _neighbours(tag.upright)
@@ -149,7 +149,7 @@ def resampled(tag: RayTag, values: Floats, *, blend: bool) -> Floats:
 
 
 def _neighbours(row: Row) -> tuple[NDArray[np.intp], NDArray[np.intp], Floats]:
-    """For each range that is told: the beams on both sides, and how far it is from the first one (0 to 1)."""
+    """For each published range: the beams on both sides, and how far it is from the first one (0 to 1)."""
     places = np.linspace(0.0, row.samples - 1.0, row.count) if row.count > 1 else np.zeros(1)
     first = np.floor(places).astype(np.intp)
     return first, np.minimum(first + 1, row.samples - 1), places - first
@@ -168,7 +168,7 @@ def _row(site: Site, scan: Element | None, name: str, default: Row) -> Row:
     )
     if row.count < 1 or row.count > MOST_BEAMS:
         raise PluginError(
-            f"{site.place(element)}: <samples> times <resolution> is how many ranges are told, "
+            f"{site.place(element)}: <samples> times <resolution> is how many ranges are published, "
             f"and must be from 1 to {MOST_BEAMS}, not {row.samples * row.resolution:g}"
         )
     return row

@@ -135,7 +135,7 @@ def _scoped(side: Side) -> str:
 
 
 def _shapes(site: Site, sensor: SensorTag, body: str) -> tuple[str, ...]:
-    """Names of the shapes that the sensor is for; one that is not there is complained of."""
+    """Names of the shapes that the sensor is for; a warning names one that is not there."""
     known = [shape.name for shape in site.model.plan.bodies[body].shapes]
     contact = sensor.element.child("contact")
     named = [] if contact is None else contact.all("collision")

@@ -31,7 +31,7 @@ class DiffDrive(Plugin[DiffDriveParameters]):
     """Drives a robot as `cmd_vel` says, and reports odometry, wheels and joint states.
 
     A command holds until the next one: nothing stops the robot when nobody speaks any more. Each
-    period of `updateRate` it reports first, and then tells the motors what was commanded last.
+    period of `updateRate` it reports first, and then gives the motors the last command.
 
     Args:
         site: Where it works.

@@ -43,7 +43,7 @@ class ImuSensor(Plugin[ImuSensorParameters]):
         self._period_ns = round(1e9 / parameters.rate) if parameters.rate > 0.0 else 0
         self._publisher: Any = None
         self._random = self._generator()
-        self._told_ns = site.now_ns
+        self._published_ns = site.now_ns
         self._before: tuple[int, Vector] | None = self._moment()
 
     def on_attach(self) -> None:
@@ -75,9 +75,9 @@ class ImuSensor(Plugin[ImuSensorParameters]):
         back = conjugate(pose.rotation)
         velocity, angular = self._twist(pose.translation)
         before, self._before = self._before, (now_ns, velocity)
-        if before is None or now_ns - self._told_ns < self._period_ns:
+        if before is None or now_ns - self._published_ns < self._period_ns:
             return
-        self._told_ns = now_ns
+        self._published_ns = now_ns
         gyro, push = self._noises
         message = imu_message(
             stamp_ns=now_ns,
@@ -95,7 +95,7 @@ class ImuSensor(Plugin[ImuSensorParameters]):
         for noise in self._noises:
             noise.restart()
         self._random = self._generator()
-        self._told_ns = self.site.now_ns
+        self._published_ns = self.site.now_ns
         self._before = self._moment()
 
     def on_detach(self) -> None:

@@ -1,4 +1,4 @@
-"""The plugin `libgazebo_ros_joint_state_publisher.so`: tells where joints of a model stand.
+"""The plugin `libgazebo_ros_joint_state_publisher.so`: publishes the positions of joints of a model.
 
 Source: gazebo_ros_joint_state_publisher of ROS Melodic and Noetic.
 """
@@ -60,7 +60,7 @@ class JointStateTopic:
 
 
 class GazeboJointStatePublisher(Plugin[JointStatePublisherParameters]):
-    """Publishes positions and velocities of the joints that it is told, in that order.
+    """Publishes positions and velocities of the joints that it is given, in that order.
 
     Positions are counted on through whole turns. A joint that is not in the list is not in the message,
     and has no transform then.

@@ -1,4 +1,4 @@
-"""The plugin `libgazebo_ros_p3d.so`: tells where a link is in truth.
+"""The plugin `libgazebo_ros_p3d.so`: publishes the true pose of a link.
 
 Source: gazebo_ros_p3d of ROS Noetic.
 """

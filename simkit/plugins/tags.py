@@ -113,10 +113,10 @@ class SkidSteerDriveParameters:
     update_rate: float = tag(
         "updateRate", 100.0, "How often it reports and obeys; 0: each step [Hz].", at_least=0.0
     )
-    covariance_x: float = tag("covariance_x", 1e-4, "Variance of x to tell [m^2].", at_least=0.0)
-    covariance_y: float = tag("covariance_y", 1e-4, "Variance of y to tell [m^2].", at_least=0.0)
+    covariance_x: float = tag("covariance_x", 1e-4, "Variance of x to report [m^2].", at_least=0.0)
+    covariance_y: float = tag("covariance_y", 1e-4, "Variance of y to report [m^2].", at_least=0.0)
     covariance_yaw: float = tag(
-        "covariance_yaw", 1e-2, "Variance of yaw to tell [rad^2].", at_least=0.0
+        "covariance_yaw", 1e-2, "Variance of yaw to report [rad^2].", at_least=0.0
     )
 
 
@@ -173,7 +173,7 @@ class LaserParameters:
 class P3dParameters:
     """What the tag of `libgazebo_ros_p3d.so` says."""
 
-    body_name: str = tag("bodyName", "", "Link to tell of.", required=True, names=Names.LINK)
+    body_name: str = tag("bodyName", "", "Link to report.", required=True, names=Names.LINK)
     topic_name: str = tag("topicName", "", "Topic of the odometry.", required=True)
     frame_name: str = tag(
         "frameName", "world", "Where it is seen from: world, map, or a link of the model."
@@ -250,6 +250,6 @@ class BumperParameters:
     frame: str = tag(
         "frameName",
         "world",
-        "Frame in the header; all is told in that of the world.",
+        "Frame in the header; everything is given in that of the world.",
         names=Names.FRAME,
     )

@@ -24,7 +24,7 @@ class MotorWheel:
         joint: Name of the joint.
         torque: Largest torque of the motor [N m]; the effort limit of the joint does not matter.
         diameter: Diameter of the wheel that the plugin believes in [m].
-        speaker: Who complains of a joint that is not there.
+        speaker: Whose name the error about a missing joint begins with.
 
     Raises:
         PluginError: The model has no such joint.
@@ -50,7 +50,7 @@ class MotorWheel:
         return self.joint.position * self._radius
 
     def drive(self, rim_speed: float) -> None:
-        """Let the motor hold a speed of the rim [m/s], until it is told another one."""
+        """Let the motor hold a speed of the rim [m/s], until the next command."""
         speed = min(max(rim_speed / self._radius, -FASTEST), FASTEST)
         self.joint.command_velocity(speed, effort=self._torque)
 
@@ -60,7 +60,7 @@ class MotorWheel:
 
 
 class TwistListener:
-    """Hears how a robot shall move. The last word counts, however long ago it was said.
+    """Listens to the commands of a robot. The last one counts, however old it is.
 
     Args:
         site: Where the plugin works.
@@ -74,7 +74,7 @@ class TwistListener:
         """Angular velocity about the vertical, to the left [rad/s]."""
         self._site = site
         self._subscription = site.node.subscribe(
-            topic, message_class("geometry_msgs/Twist"), self._hear, queue_size=1
+            topic, message_class("geometry_msgs/Twist"), self._on_twist, queue_size=1
         )
 
     def rim_speeds(self, separation: float) -> tuple[float, float]:
@@ -87,19 +87,19 @@ class TwistListener:
         return self.linear - half, self.linear + half
 
     def forget(self) -> None:
-        """Let the robot stand until it hears something."""
+        """Let the robot stand until the next command."""
         self.linear, self.angular = 0.0, 0.0
 
     def close(self) -> None:
-        """Hear no more."""
+        """Unsubscribe."""
         self._subscription.unregister()
 
-    def _hear(self, twist: Any) -> None:
+    def _on_twist(self, twist: Any) -> None:
         linear, angular = twist.linear.x, twist.angular.z
         if not (math.isfinite(linear) and math.isfinite(angular)):
             self._site.node.warn(
                 f"{self._site.name}: a command on {self._subscription.topic} is not obeyed, "
-                f"since it holds what is no number: linear.x {linear}, angular.z {angular}"
+                f"since it holds NaN or infinity: linear.x {linear}, angular.z {angular}"
             )
             return
         self.linear, self.angular = linear, angular
@@ -121,9 +121,9 @@ CLOSE = 0.01
 
 
 class SpeedRamp:
-    """What two motors are told on the way to the speeds that are asked for.
+    """Speeds of two motors on the way to the speeds that are commanded.
 
-    As soon as one of the wheels is near its target, both are told theirs; so a wheel may jump, and if
+    As soon as one of the wheels is near its target, both get theirs; so a wheel may jump, and if
     one has nothing to change, the other one does at once.
 
     Args:
@@ -135,12 +135,12 @@ class SpeedRamp:
 
     def __init__(self, limit: float) -> None:
         self._limit = limit
-        self._told = (0.0, 0.0)
+        self._last = (0.0, 0.0)
 
     def next_speeds(
         self, targets: tuple[float, float], measured: tuple[float, float], seconds: float
     ) -> tuple[float, float]:
-        """Speeds of the rims to tell the motors now, left and right [m/s].
+        """Speeds of the rims for the motors now, left and right [m/s].
 
         Args:
             targets: What is asked for [m/s].
@@ -149,18 +149,18 @@ class SpeedRamp:
         """
         missing = (targets[0] - measured[0], targets[1] - measured[1])
         if self._limit == 0.0 or min(abs(missing[0]), abs(missing[1])) < CLOSE:
-            return targets  # what was told stays as it was: the next ramp goes on from there
+            return targets  # the last ramp stays as it was: the next one goes on from there
         most = self._limit * seconds
         left, right = (
-            told + min(max(more, -most), most)
-            for told, more in zip(self._told, missing, strict=True)
+            last + min(max(more, -most), most)
+            for last, more in zip(self._last, missing, strict=True)
         )
-        self._told = (left, right)
-        return self._told
+        self._last = (left, right)
+        return self._last
 
     def reset(self) -> None:
-        """Forget what was told."""
-        self._told = (0.0, 0.0)
+        """Forget the ramp."""
+        self._last = (0.0, 0.0)
 
 
 class WheelTransforms:

@@ -7,7 +7,7 @@ motion about or along its axis.
 Source: kdl_parser and robot_state_publisher. As there, axes get unit length, and the numbers of a
 rotation have the sign that a rotation matrix gives them. Floating and planar joints do not move:
 they stand at their origin, as KDL takes them. An axis of zeros moves nothing either, where KDL
-computes numbers that are none.
+computes NaN.
 """
 
 from __future__ import annotations

@@ -124,7 +124,7 @@ def set_model_state(gazebo: Gazebo, state: Any) -> None:
     """Put a model where a `gazebo_msgs/ModelState` says, with the velocity that it says.
 
     Raises:
-        SimkitError: There is no such model or frame, or a number is none.
+        SimkitError: There is no such model or frame, or a number is NaN.
     """
     model = model_of(gazebo, state.model_name, "SetModelState")
     frame = gazebo.frame(state.reference_frame)

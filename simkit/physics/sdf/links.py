@@ -111,7 +111,7 @@ def _visual(page: Page, element: Element) -> SdfVisual | None:
 
 
 def _geometry(page: Page, parent: Element) -> SdfGeometry | None:
-    """The shape in a `<geometry>`; None, with a word about it, if there is none that is known."""
+    """The shape in a `<geometry>`; None, with a warning, if none is known."""
     element = parent.child("geometry")
     if element is None or not element.children:
         page.say(element or parent, f"the {parent.name} {parent.get('name')} has no shape", _SHAPES)

@@ -99,12 +99,12 @@ class Page:
         return default if child is None else child.text.strip().lower() in TRUE
 
     def number(self, element: Element, name: str, default: float) -> float:
-        """The number in a child; the default, with a word about it, if it is none."""
+        """The number in a child; the default, with a warning, if it is not one."""
         found = self.numbers(element, name, 1)
         return default if found is None else found[0]
 
     def numbers(self, element: Element, name: str, count: int) -> tuple[float, ...] | None:
-        """So many numbers in a child; None, with a word about it if they are wrong, without them."""
+        """So many numbers in a child; None, with a warning if they are wrong, without them."""
         child = element.child(name)
         if child is None:
             return None
@@ -158,5 +158,5 @@ class Page:
 
 
 def _is_wild(value: float) -> bool:
-    """Whether a number is none, or larger than anything in a world; infinity is a limit."""
+    """Whether a number is NaN, or larger than anything in a world; infinity is a limit."""
     return math.isnan(value) or (abs(value) > LARGEST and abs(value) < 1e15)

@@ -216,7 +216,7 @@ def _gravity(page: Page, world: Element) -> tuple[float, float, float]:
 
 
 def _step(page: Page, world: Element) -> int:
-    """Time of one step [ns]; what else a physics engine can be told does not change ours."""
+    """Time of one step [ns]; other settings of physics engines do not change ours."""
     physics = world.child("physics")
     if physics is None:
         return STEP_NS

@@ -109,7 +109,7 @@ def test_what_is_no_number_is_not_obeyed_and_told(stage, site, numbers):
     stage.run(0.001)
     assert ear.linear in (0.0, 0.5)
     assert math.isfinite(ear.angular)
-    assert any("what is no number" in said for said in stage.said())
+    assert any("NaN or infinity" in said for said in stage.said())
 
 
 STILL = (0.0, 0.0)
