@@ -26,7 +26,7 @@ from simkit.physics.plan import (
 )
 from simkit.physics.rays import MISS, Hits
 from simkit.physics.robot_plan import plan_robot
-from simkit.physics.sdf.planning import GROUND, ground_plan
+from simkit.physics.sdf.model_plan import GROUND, ground_plan
 from simkit.physics.stability import LostModelError
 from simkit.physics.world import ORIGIN, World
 

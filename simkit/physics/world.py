@@ -17,7 +17,7 @@ from simkit.physics.errors import ModelError, PhysicsError
 from simkit.physics.model import Model
 from simkit.physics.plan import ModelPlan
 from simkit.physics.rays import Hits, RayShapes, cast
-from simkit.physics.sdf.planning import ground_plan
+from simkit.physics.sdf.model_plan import ground_plan
 from simkit.physics.skeleton import build, non_colliding_pairs
 from simkit.physics.stability import ModelWatch
 from simkit.physics.stepper import Stepper

@@ -15,7 +15,7 @@ from simkit.physics.sdf.description import (
     SdfWorld,
 )
 from simkit.physics.sdf.library import ModelLibrary
-from simkit.physics.sdf.planning import plan_model
+from simkit.physics.sdf.model_plan import plan_model
 from simkit.physics.sdf.world_file import read_model_text, read_world, read_world_file
 
 __all__ = [
