@@ -119,7 +119,7 @@ class TurtlesimNode(Program):
 def _color_part(value: object, default: int) -> int:
     """What roscpp and Qt make of a parameter: rounded, its lowest eight bits.
 
-    Anything that is no number counts as the default.
+    Anything but a number counts as the default.
     """
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
         return default

@@ -45,7 +45,7 @@ def printable(text: str) -> str:
     )
 
 
-def shortened(text: str, limit: int) -> str:
+def abbreviated(text: str, limit: int) -> str:
     """The text, made printable; the middle of a long one is left out.
 
     Args:

@@ -29,7 +29,7 @@ FULL: Final = 4001
 """Code for a viewer too many."""
 _OWN_NAMES: Final = ("127.0.0.1", "localhost")
 _FAREWELL = 0.2
-"So long a viewer may take to hear that all is over [s of wall-clock time]."
+"So long a viewer may take to get the end of it [s of wall-clock time]."
 
 
 class LiveState(Protocol):

@@ -10,7 +10,7 @@ from typing import Any, Final, Protocol, TypeAlias
 
 from simkit.geometry import Quaternion, Vector
 from simkit.urdf import Box, Cylinder, Sphere
-from simkit.viz.draw.letters import shortened
+from simkit.viz.draw.letters import abbreviated
 from simkit.viz.stage import style
 from simkit.viz.stage.camera import FIELD_OF_VIEW, Stage
 from simkit.viz.stage.frames import FramePose, TfScene
@@ -40,7 +40,7 @@ def scene_summary(scene: Scene) -> str:
     if scene.headline:
         return f"{scene.headline}."
     count = len(scene.tf.poses)
-    fixed = shortened(scene.tf.fixed_frame, LONGEST)
+    fixed = abbreviated(scene.tf.fixed_frame, LONGEST)
     return f"{count} frame{'s' * (count != 1)} seen from {fixed}."
 
 
@@ -55,7 +55,7 @@ def scene_data(scene: Scene) -> Mapping[str, Any]:
     meshes: dict[TriangleMesh, int] = {}
     solids = [_solid(placed, numbers, meshes) for placed in scene.solids]
     return {
-        "fixedFrame": shortened(scene.tf.fixed_frame, LONGEST),
+        "fixedFrame": abbreviated(scene.tf.fixed_frame, LONGEST),
         "summary": scene_summary(scene),
         "error": scene.tf.error,
         "problems": scene.problems,
@@ -116,7 +116,7 @@ def _stage(stage: Stage) -> Mapping[str, Any]:
 
 def _frame(pose: FramePose, numbers: Mapping[str, int], fixed_frame: str) -> Mapping[str, Any]:
     return {
-        "label": shortened(pose.name, LONGEST),
+        "label": abbreviated(pose.name, LONGEST),
         "isFixed": pose.name == fixed_frame,
         "parent": numbers.get(pose.parent) if pose.parent is not None else None,
         **_pose(pose.origin, pose.rotation),

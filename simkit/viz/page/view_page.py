@@ -14,7 +14,7 @@ from typing import Final
 from simkit.errors import SimkitError
 from simkit.geometry import roll_pitch_yaw
 from simkit.viz.draw.drawing import Point
-from simkit.viz.draw.letters import shortened
+from simkit.viz.draw.letters import abbreviated
 from simkit.viz.page.html import escaped, html_page
 from simkit.viz.page.scene_data import HELP, grid_note, scene_summary
 from simkit.viz.stage.frames import FramePose
@@ -185,7 +185,7 @@ def _without_minus_zero(text: str) -> str:
 
 
 def _short(name: str) -> str:
-    return escaped(shortened(name, LONGEST))
+    return escaped(abbreviated(name, LONGEST))
 
 
 def _still(scene: Scene) -> str:

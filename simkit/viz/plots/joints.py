@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from simkit.errors import UnknownNameError
 from simkit.msgs import Time
-from simkit.viz.draw.letters import shortened
+from simkit.viz.draw.letters import abbreviated
 from simkit.viz.plots.plot import (
     Plot,
     RecordedTopics,
@@ -141,7 +141,7 @@ class JointPlot(Plot):
                 seconds, values = zip(*row, strict=True)
                 color = line_color(numbers[joint])
                 # The colours are the same in each panel; the first one explains them.
-                label = shortened(joint, _LONGEST) if one is axes[0] else None
+                label = abbreviated(joint, _LONGEST) if one is axes[0] else None
                 one.plot(seconds, values, color=color, label=label, linewidth=1.3)
             one.set_ylabel(_UNITS[name])
         axes[-1].set_xlabel(f"virtual time [s] since {self.series.start.to_sec():.3f}")
@@ -223,7 +223,7 @@ class TrackingPlot(Plot):
         """Desired and actual position above, the error below."""
         figure, (above, below) = panels(self.title, (3, 2))
         for number, (joint, rows) in enumerate(self.joints.items()):
-            color, label = line_color(number), shortened(joint, _LONGEST)
+            color, label = line_color(number), abbreviated(joint, _LONGEST)
             above.plot(rows.seconds, rows.actual, color=color, label=label, linewidth=1.3)
             # The gaps of the broken line show the other where both are one.
             above.plot(

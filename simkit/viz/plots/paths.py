@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from simkit.errors import SimkitError
 from simkit.geometry import roll_pitch_yaw
-from simkit.viz.draw.letters import shortened
+from simkit.viz.draw.letters import abbreviated
 from simkit.viz.plots.plot import (
     Plot,
     RecordedTopics,
@@ -163,7 +163,7 @@ class PathPlot(Plot):
     @property
     def title(self) -> str:
         """The ways, and how far from the true end they end."""
-        names = ", ".join(shortened(path.name, _LONGEST) for path in self.paths)
+        names = ", ".join(abbreviated(path.name, _LONGEST) for path in self.paths)
         if self.truth is None:
             return f"way of {names}"
         off = max(end_error(path, self.truth) for path in self.paths)
@@ -177,10 +177,10 @@ class PathPlot(Plot):
         axes = figure.subplots()
         axes.set_title(self.title, loc="left", fontsize=11, parse_math=False)
         for number, path in enumerate(self.paths):
-            _draw(axes, path, line_color(number), shortened(path.name, _LONGEST))
+            _draw(axes, path, line_color(number), abbreviated(path.name, _LONGEST))
         if self.truth is not None:  # its gaps show the other where both are one
             _draw(axes, self.truth, _TRUE_COLOR, "true", dashed=True)
-        frame = shortened(self.paths[0].frame or "?", _LONGEST)
+        frame = abbreviated(self.paths[0].frame or "?", _LONGEST)
         axes.set_xlabel(f"x [m] in {frame}", parse_math=False)
         axes.set_ylabel("y [m]")
         axes.set_aspect("equal", adjustable="datalim")

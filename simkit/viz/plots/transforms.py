@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 from simkit.geometry import roll_pitch_yaw
 from simkit.msgs import Duration, Time
 from simkit.tf import Buffer, BufferCore, TransformException
-from simkit.viz.draw.letters import shortened
+from simkit.viz.draw.letters import abbreviated
 from simkit.viz.plots.plot import Plot, RecordedTopics, finish, panels
 
 if TYPE_CHECKING:
@@ -152,7 +152,7 @@ class TransformPlot(Plot):
 
 
 def _title(series: TransformSeries) -> str:
-    source, target = (shortened(name, _LONGEST) for name in (series.source, series.target))
+    source, target = (abbreviated(name, _LONGEST) for name in (series.source, series.target))
     return f'"{source}" seen from "{target}"'
 
 

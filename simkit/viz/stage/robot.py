@@ -27,7 +27,7 @@ from simkit.urdf import (
 )
 from simkit.urdf.kinematics import forward_kinematics
 from simkit.urdf.mesh_file import MeshError, read_mesh
-from simkit.viz.draw.letters import shortened
+from simkit.viz.draw.letters import abbreviated
 from simkit.viz.stage.frames import FramePose
 from simkit.viz.stage.parts import (
     Color,
@@ -147,7 +147,7 @@ def part_solid(
     _, half = half_extents(shape)
     if not max(map(abs, (*translation, *half))) < _FAR or not all(map(math.isfinite, rotation)):
         notes.append(
-            f"A shape of [{shortened(link, 44)}] is too large or too far away to be drawn."
+            f"A shape of [{abbreviated(link, 44)}] is too large or too far away to be drawn."
         )
         return
     yield Solid(
@@ -178,8 +178,8 @@ def _shape(link: str, geometry: Geometry, notes: list[str]) -> SolidShape:
         return drawn_mesh(geometry.path, geometry.scale)
     except MeshError as error:
         notes.append(
-            f"A box of {_MISSING_SIZE:g} m stands for the mesh {shortened(geometry.filename, 80)} "
-            f"of [{shortened(link, 44)}]: {error}."
+            f"A box of {_MISSING_SIZE:g} m stands for the mesh {abbreviated(geometry.filename, 80)} "
+            f"of [{abbreviated(link, 44)}]: {error}."
         )
     return Box((_MISSING_SIZE,) * 3)
 

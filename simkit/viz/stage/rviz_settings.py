@@ -46,7 +46,7 @@ class OdometryDisplay:
     """A trail of arrows: where a robot said that it was.
 
     Raises:
-        SimkitError: `keep` is no number of arrows, or a tolerance is negative.
+        SimkitError: `keep` is out of range, or a tolerance is negative.
     """
 
     kind: ClassVar[str] = "Odometry"

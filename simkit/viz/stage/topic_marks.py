@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simkit.geometry import Quaternion, Transform, Vector, rotate
-from simkit.viz.draw.letters import shortened
+from simkit.viz.draw.letters import abbreviated
 from simkit.viz.stage import style
 from simkit.viz.stage.parts import Color, Marks, Polyline
 from simkit.viz.stage.rviz_settings import LaserScanDisplay, OdometryDisplay, TopicDisplay, label
@@ -97,7 +97,7 @@ class Shown:
 
 
 NOTHING: Final = Shown()
-"""What a display shows that has heard nothing."""
+"""What a display shows before its first message."""
 
 
 def display_marks(display: TopicDisplay, number: int, shown: Shown) -> Marks:
@@ -110,7 +110,7 @@ def display_marks(display: TopicDisplay, number: int, shown: Shown) -> Marks:
     """
     return Marks(
         name=f"topic-{number}",
-        label=shortened(label(display), _LONGEST),
+        label=abbreviated(label(display), _LONGEST),
         color=style.hex_color(display.color or style.rgb(style.AXIS_COLORS[0])),
         points=shown.points,
         colors=shown.colors,
@@ -166,7 +166,7 @@ def _at(origin: Vector, way: Vector) -> Vector:
 
 def _placed(points: Points, place: Transform) -> tuple[Points, Any]:
     """Points in the fixed frame, and which of them are near enough to be drawn."""
-    with np.errstate(invalid="ignore", over="ignore"):  # what is no number is not near either
+    with np.errstate(invalid="ignore", over="ignore"):  # NaN is not near either
         placed = points @ rotation_array(place.rotation).T + np.array(place.translation)
     return placed, (np.abs(placed) < _FAR).all(axis=1)
 

@@ -10,7 +10,7 @@ from typing import Any, Final
 from simkit.errors import UnknownNameError
 from simkit.geometry import Vector
 from simkit.physics import Contact, Model
-from simkit.viz.draw.letters import shortened
+from simkit.viz.draw.letters import abbreviated
 from simkit.viz.stage.frames import FramePose, TfScene
 from simkit.viz.stage.parts import Marks, Polyline, along
 from simkit.viz.stage.scene import LONGEST, Scene
@@ -228,7 +228,7 @@ def headline(actors: Sequence[Actor], seconds: float | None) -> str:
         actors: The models.
         seconds: Time of the world [s]; None if it goes on.
     """
-    names = [shortened(actor.name, LONGEST) for actor in actors if not actor.is_ground]
+    names = [abbreviated(actor.name, LONGEST) for actor in actors if not actor.is_ground]
     more = f" and {len(names) - 6} more" if len(names) > 6 else ""
     shown = ", ".join(names[:6]) + more
     when = "" if seconds is None else f", after {seconds:.2f} s"

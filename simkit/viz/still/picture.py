@@ -8,7 +8,7 @@ from typing import Final
 from simkit.viz.draw.drawing import Drawing, Label, Point, Polyline, Shape
 from simkit.viz.draw.figure import png_bytes
 from simkit.viz.draw.files import few_colored_png
-from simkit.viz.draw.letters import label_places, shortened, text_width, wrapped
+from simkit.viz.draw.letters import abbreviated, label_places, text_width, wrapped
 from simkit.viz.page.html import png_image
 from simkit.viz.page.scene_data import MOST_NAMES, grid_note, scene_summary
 from simkit.viz.stage.camera import on_paper
@@ -63,7 +63,7 @@ def still_drawing(scene: Scene) -> Drawing:
 
 
 def _corners(scene: Scene) -> Iterator[Label]:
-    fixed = scene.headline or f"Fixed Frame: {shortened(scene.tf.fixed_frame, LONGEST)}"
+    fixed = scene.headline or f"Fixed Frame: {abbreviated(scene.tf.fixed_frame, LONGEST)}"
     yield Label(place=(14, 24), text=fixed, color=_GREY, size=12, halo=SKY)
     if scene.displays.grid:
         note = grid_note(scene.stage)
@@ -71,14 +71,14 @@ def _corners(scene: Scene) -> Iterator[Label]:
 
 
 def _lines(text: str) -> list[str]:
-    words = " ".join(shortened(word, LONGEST + 4) for word in text.split())
+    words = " ".join(abbreviated(word, LONGEST + 4) for word in text.split())
     return wrapped(words, size=12, width=SIZE[0] - 28)
 
 
 def _names(scene: Scene) -> Iterator[Shape]:
     seen = [(pose, scene.stage.camera.seen(pose.origin)) for pose in scene.tf.poses[:MOST_NAMES]]
     named = [(pose, on_paper(at, SIZE)) for pose, at in seen if scene.stage.camera.is_before(at)]
-    labels = [shortened(pose.name, LONGEST) for pose, _ in named]
+    labels = [abbreviated(pose.name, LONGEST) for pose, _ in named]
     widths = [text_width(label, _NAME_SIZE) for label in labels]
     anchors = [anchor for _, anchor in named]
     places = label_places(anchors, widths=widths, height=_NAME_HEIGHT, size=SIZE)

@@ -15,7 +15,7 @@ from simkit.viz.draw.drawing import (
     Shape,
 )
 from simkit.viz.draw.files import DrawnPicture, Formats
-from simkit.viz.draw.letters import shortened
+from simkit.viz.draw.letters import abbreviated
 from simkit.viz.trees.layout import (
     CARD_PADDING,
     FACT_HEIGHT,
@@ -140,7 +140,7 @@ def _frame(node: CardNode, room: Rectangle) -> Group:
     x, y = room.point(0.5, 0.5)
     name = Label(
         place=(x, y + 0.36 * NAME_SIZE),
-        text=shortened(node.name, LONGEST),
+        text=abbreviated(node.name, LONGEST),
         color=ink,
         size=NAME_SIZE,
         align="middle",
@@ -158,7 +158,7 @@ def _facts(node: CardNode, room: Rectangle, parent: str) -> Group:
     lines = []
     for row, (name, value) in enumerate(node.facts):
         y = room.top + 5 + FACT_HEIGHT * (row + 0.75)
-        shown = shortened(value, LONGEST)
+        shown = abbreviated(value, LONGEST)
         lines.append(Label(place=(left, y), text=name, color=GREY, size=FACT_SIZE))
         lines.append(Label(place=(left + column, y), text=shown, color=INK, size=FACT_SIZE))
     title = f"{parent} -> {node.name}: " + ", ".join(": ".join(fact) for fact in node.facts)

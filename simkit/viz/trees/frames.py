@@ -9,7 +9,7 @@ from simkit.tf import Buffer
 from simkit.tf.frame_report import FrameReport
 from simkit.viz.draw.drawing import Drawing, Label, Point, RoundedBox, Shape
 from simkit.viz.draw.files import Formats
-from simkit.viz.draw.letters import shortened, text_width, wrapped
+from simkit.viz.draw.letters import abbreviated, text_width, wrapped
 from simkit.viz.trees.drawing import (
     GREY,
     INK,
@@ -153,7 +153,7 @@ def _heading(forest: Forest, now: Time | None) -> list[Label]:
 
 
 def _banner(text: str, top: float, width: float) -> list[Shape]:
-    words = " ".join(shortened(word, LONGEST + 4) for word in text.split())
+    words = " ".join(abbreviated(word, LONGEST + 4) for word in text.split())
     lines = wrapped(words, size=SMALL, width=width - 28)
     size = (width, _WARNING_LINE * len(lines) + 14)
     box = RoundedBox(corner=(MARGIN, top), size=size, fill=_WARNING, edge=_WARNING_EDGE, radius=6)

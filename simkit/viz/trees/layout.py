@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from simkit.viz.draw.drawing import Point
-from simkit.viz.draw.letters import shortened, text_width
+from simkit.viz.draw.letters import abbreviated, text_width
 
 NAME_SIZE: Final = 13.5
 FACT_SIZE: Final = 11.0
@@ -128,13 +128,13 @@ def column_of(node: CardNode) -> float:
 
 
 def _name_width(node: CardNode) -> float:
-    return max(text_width(shortened(node.name, LONGEST), NAME_SIZE) + 28, 64.0)
+    return max(text_width(abbreviated(node.name, LONGEST), NAME_SIZE) + 28, 64.0)
 
 
 def _card_size(node: CardNode) -> Point:
     if not node.facts:
         return (0.0, 0.0)
-    values = [text_width(shortened(v, LONGEST), FACT_SIZE) for _, v in node.facts]
+    values = [text_width(abbreviated(v, LONGEST), FACT_SIZE) for _, v in node.facts]
     width = column_of(node) + max(values) + 2 * CARD_PADDING
     return (width, len(node.facts) * FACT_HEIGHT + 10)
 

@@ -6,7 +6,7 @@ from simkit.urdf.model import Joint, JointType, Limit, Mimic, Robot
 from simkit.urdf.tree_text import axis_text, number_text, vector_text
 from simkit.urdf.urdfdom.tree import children_by_link
 from simkit.viz.draw.drawing import Drawing, Label, Shape
-from simkit.viz.draw.letters import shortened, text_width
+from simkit.viz.draw.letters import abbreviated, text_width
 from simkit.viz.trees.drawing import (
     GREY,
     INK,
@@ -141,7 +141,7 @@ def _heading(robot: Robot) -> list[Label]:
         f"{links} link{'s' * (links != 1)}, {joints} joint{'s' * (joints != 1)} "
         f"({moving or 'none'} move{'s' * (moving < 2)})"
     )
-    title = shortened(robot.name, LONGEST) or "a robot without a name"
+    title = abbreviated(robot.name, LONGEST) or "a robot without a name"
     return [
         Label(place=(MARGIN, 30), text=title, color=INK, size=_TITLE, bold=True),
         Label(place=(MARGIN, 50), text=counted, color=GREY, size=SMALL),

@@ -13,7 +13,7 @@ from typing import Any, Final
 
 from simkit.nodes.turtlesim import Frame, Stroke, Turtle, TurtlePose
 from simkit.nodes.turtlesim.window import METRE_PX, SIDE, SIDE_PX, TICK, TICK_NS, hex_rgb, pixel
-from simkit.viz.draw.letters import shortened
+from simkit.viz.draw.letters import abbreviated
 from simkit.viz.draw.svg import number, svg_element, svg_transform
 from simkit.viz.draw.thinning import Row, thinned
 from simkit.viz.page.html import escaped, html_page
@@ -231,13 +231,13 @@ def _turtle(motion: TurtleMotion) -> str:
     return (
         f'<g class="turtle"{hidden}>'
         f'<g transform="{svg_transform((x, y), -heading)}">{body}</g>'
-        f'<text y="38" transform="translate({number(x)} {number(y)})">{escaped(shortened(motion.name, _LONGEST))}</text></g>'
+        f'<text y="38" transform="translate({number(x)} {number(y)})">{escaped(abbreviated(motion.name, _LONGEST))}</text></g>'
     )
 
 
 def _table(motions: Iterable[TurtleMotion]) -> list[str]:
     rows = [
-        f'<tr><td class="name">{escaped(shortened(motion.name, _LONGEST))}</td>'
+        f'<tr><td class="name">{escaped(abbreviated(motion.name, _LONGEST))}</td>'
         "<td></td><td></td><td></td></tr>"
         for motion in motions
     ]

@@ -26,7 +26,7 @@ _STATUS_HEIGHT: Final = 40
 
 
 class SceneWidget(anywidget.AnyWidget):
-    """The page of a scene in a frame of its own, which hears of each moment by traits.
+    """The page of a scene in a frame of its own, which gets each moment by traits.
 
     The page is the same as that of a saved view. Whoever opens the notebook later, or a second
     time, sees the last moment, for traits are kept.

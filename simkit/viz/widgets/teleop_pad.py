@@ -39,7 +39,7 @@ class TeleopPad(Panel):
         view: What is shown beside the buttons; nothing if None.
 
     Raises:
-        SimkitError: A speed or the step is no number from 0 on.
+        SimkitError: A speed or the step is negative, NaN or too large.
     """
 
     SCRIPT = "pad"

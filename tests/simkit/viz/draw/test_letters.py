@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from matplotlib import get_data_path
 from matplotlib.ft2font import FT2Font
 
-from simkit.viz.draw.letters import label_places, printable, shortened, text_width, wrapped
+from simkit.viz.draw.letters import abbreviated, label_places, printable, text_width, wrapped
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +37,7 @@ def test_control_characters_are_replaced():
 
 @given(st.text(), st.integers(3, 50))
 def test_shortened_keeps_both_ends(text, limit):
-    short = shortened(text, limit)
+    short = abbreviated(text, limit)
     assert len(short) == min(len(text), limit)
     if len(text) > limit:
         head, tail = short.split("…", 1) if short.count("…") == 1 else (short[:1], short[-1:])
