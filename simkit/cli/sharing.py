@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import importlib
 import socket
 import sys
 from collections.abc import Callable, Sequence
@@ -18,7 +17,7 @@ from simkit.commands.rosrun import LAST_WORDS
 from simkit.commands.table import COMMANDS, Entry, TerminalPlace
 from simkit.diagnostics import Layout
 from simkit.errors import SimkitError
-from simkit.live.client import call
+from simkit.live.client import run_in_session
 from simkit.live.host import Host
 from simkit.live.job import Job
 from simkit.live.session import PATIENCE, Session, SessionError, find_session
@@ -51,7 +50,7 @@ def run_hosted(entry: Entry, words: Sequence[str]) -> int:
 
 
 def _run_hosted(entry: Entry, words: Sequence[str]) -> int:
-    module: Any = importlib.import_module(entry.module)
+    module: Any = entry.load_module()
     program = f"simkit {entry.name}"
     parser = LineParser(
         program, description=entry.summary, usage=module.USAGE, epilog=module.EPILOG
@@ -184,7 +183,7 @@ def elsewhere(argv: Sequence[str]) -> int:
             "no simulation runs; start one in another terminal: simkit roscore, or simkit rosrun ..."
         )
     try:
-        code = call(session, argv, show, folders=_folders_for(argv[0]))
+        code = run_in_session(session, argv, show, folders=_folders_for(argv[0]))
     except KeyboardInterrupt:
         return 0
     return USAGE_ERROR if code == _ROS_USAGE_ERROR else code

@@ -7,14 +7,13 @@ parameters.
 from __future__ import annotations
 
 import argparse
-import importlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from simkit.commands.command import Answer, parsed
 from simkit.commands.table import COMMANDS
 from simkit.commands.words import SHORTHANDS
 from simkit.errors import SimkitError
-from simkit.live.client import call
+from simkit.live.client import run_in_session
 from simkit.live.session import find_session
 from simkit.packages import PackagePath
 
@@ -94,7 +93,7 @@ def _live(*command: str) -> Candidates:
         session = find_session()
         printed: list[str] = []
         if session is not None:
-            call(session, command, printed.append)
+            run_in_session(session, command, printed.append)
         return "".join(printed).split()
 
     return ask
@@ -136,7 +135,7 @@ def _commands(tool: str, following: Mapping[str, Candidates]) -> Candidates:
     def look(before: Sequence[str]) -> Iterable[str]:
         if before:
             return following.get(before[0], _nothing)(before[1:])
-        module = importlib.import_module(COMMANDS[tool].module)
+        module = COMMANDS[tool].load_module()
         return getattr(module, "COMMANDS", following)
 
     return look

@@ -9,6 +9,7 @@ import importlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
+from types import ModuleType
 from typing import TYPE_CHECKING, cast
 
 from simkit.commands.command import Answer, Bounds, Call, Write, texts, to_stdout
@@ -39,8 +40,8 @@ class Entry:
     """What it is for, in a few words."""
     group: str
     """Heading under which `simkit --help` lists it."""
-    module: str
-    """Module of its function."""
+    module: str = ""
+    """Module of its function, in this package; the one of its name if empty."""
     function: str = "run"
     """Name of the function there."""
     place: TerminalPlace = TerminalPlace.HERE
@@ -48,11 +49,13 @@ class Entry:
     not_in_notebook: str = ""
     """Why it is no line of a notebook; empty if it is one."""
 
+    def load_module(self) -> ModuleType:
+        """The module of its function."""
+        return importlib.import_module(f"simkit.commands.{self.module or self.name}")
+
     def load(self) -> Callable[[Call], Answer]:
         """Its function."""
-        return cast(
-            "Callable[[Call], Answer]", getattr(importlib.import_module(self.module), self.function)
-        )
+        return cast("Callable[[Call], Answer]", getattr(self.load_module(), self.function))
 
 
 _RUN, _ASK, _ROBOTS, _LOOK_UP = (
@@ -68,21 +71,18 @@ _ENTRIES = (
         name="rosrun",
         summary="run a node of a package",
         group=_RUN,
-        module="simkit.commands.rosrun",
         place=TerminalPlace.HOSTED,
     ),
     Entry(
         name="roslaunch",
         summary="start the nodes of a launch file",
         group=_RUN,
-        module="simkit.commands.roslaunch",
         place=TerminalPlace.HOSTED,
     ),
     Entry(
         name="roscore",
         summary="begin a simulation with nothing in it",
         group=_RUN,
-        module="simkit.commands.roscore",
         place=TerminalPlace.HOSTED,
         not_in_notebook="a notebook has a simulation from its first line on",
     ),
@@ -90,78 +90,68 @@ _ENTRIES = (
         name="rostopic",
         summary="list, echo, publish topics",
         group=_ASK,
-        module="simkit.commands.rostopic",
         place=TerminalPlace.SHARED,
     ),
     Entry(
         name="rosnode",
         summary="list, inspect, end nodes",
         group=_ASK,
-        module="simkit.commands.rosnode",
         place=TerminalPlace.SHARED,
     ),
     Entry(
         name="rosservice",
         summary="list and call services",
         group=_ASK,
-        module="simkit.commands.rosservice",
         place=TerminalPlace.SHARED,
     ),
     Entry(
         name="rosparam",
         summary="get and set parameters",
         group=_ASK,
-        module="simkit.commands.rosparam",
         place=TerminalPlace.SHARED,
     ),
     Entry(
         name="check_urdf",
         summary="what ROS makes of a URDF, and what is wrong with it",
         group=_ROBOTS,
-        module="simkit.commands.check_urdf",
     ),
     Entry(
         name="urdf_to_graphiz",
         summary="draw the tree of a robot",
         group=_ROBOTS,
-        module="simkit.commands.urdf_to_graphiz",
     ),
     Entry(
         name="xacro",
         summary="make a URDF of a file with macros",
         group=_ROBOTS,
-        module="simkit.commands.xacro",
     ),
     Entry(
         name="rosmsg",
         summary="show and list message types",
         group=_LOOK_UP,
-        module="simkit.commands.rosmsg",
     ),
     Entry(
         name="rossrv",
         summary="show and list service types",
         group=_LOOK_UP,
-        module="simkit.commands.rosmsg",
+        module="rosmsg",
         function="run_rossrv",
     ),
     Entry(
         name="catkin_create_pkg",
         summary="make a package",
         group=_LOOK_UP,
-        module="simkit.commands.catkin_create_pkg",
     ),
     Entry(
         name="rospack",
         summary="list and find packages",
         group=_LOOK_UP,
-        module="simkit.commands.rospack",
     ),
     Entry(
         name="roscd",
         summary="go to the folder of a package",
         group=_LOOK_UP,
-        module="simkit.commands.rosbash",
+        module="rosbash",
         function="run_roscd",
         not_in_notebook="a notebook stays in its folder; %rosls PACKAGE shows another one",
     ),
@@ -169,14 +159,14 @@ _ENTRIES = (
         name="rosls",
         summary="list the files of a package",
         group=_LOOK_UP,
-        module="simkit.commands.rosbash",
+        module="rosbash",
         function="run_rosls",
     ),
     Entry(
         name="rosed",
         summary="edit a file of a package",
         group=_LOOK_UP,
-        module="simkit.commands.rosbash",
+        module="rosbash",
         function="run_rosed",
         not_in_notebook="it opens an editor in the terminal",
     ),
@@ -184,28 +174,26 @@ _ENTRIES = (
         name="rosversion",
         summary="show the version of a package, or of ROS",
         group=_LOOK_UP,
-        module="simkit.commands.rospack",
+        module="rospack",
         function="run_rosversion",
     ),
     Entry(
         name="doctor",
         summary="what works on this machine, and what is lost without the rest",
         group=THIS_INSTALLATION,
-        module="simkit.commands.doctor",
         not_in_notebook="it asks about the machine, and takes some seconds: a terminal is the place for it",
     ),
     Entry(
         name="env",
         summary="put the words of ROS on the PATH of this terminal",
         group=THIS_INSTALLATION,
-        module="simkit.commands.env",
         not_in_notebook="a notebook has them as lines: %rosrun",
     ),
     Entry(
         name="shell",
         summary="open a shell with the words of ROS on its PATH",
         group=THIS_INSTALLATION,
-        module="simkit.commands.env",
+        module="env",
         function="run_shell",
         not_in_notebook="a notebook has them as lines: %rosrun",
     ),
@@ -213,7 +201,7 @@ _ENTRIES = (
         name="complete",
         summary="what Tab offers",
         group=THIS_INSTALLATION,
-        module="simkit.commands.completion",
+        module="completion",
         not_in_notebook="a notebook completes by itself",
     ),
 )

@@ -17,7 +17,7 @@ _CONNECT_TIMEOUT = 5.0
 _ENDED = "the simulation of the other terminal has ended"
 
 
-def call(
+def run_in_session(
     session: Session,
     argv: Sequence[str],
     show: Callable[[str], None],

@@ -1,7 +1,7 @@
 """The front door: `Simulation` has time, nodes, the graph and TF, and the parts beside it have a simulation.
 
 `simulation` is the class and the one place where the methods of its parts become methods of a `Simulation`;
-`graph_client`, `launcher`, `gazebo_starter`, `recorder`, `view`, `world_window`, `plots`, `widgets` are the parts. They are
+`graph_client`, `launcher`, `gazebo_starter`, `recorder`, `view`, `world_window`, `widgets` are the parts. They are
 light: physics and pictures are loaded when they are asked for.
 """
 

@@ -13,7 +13,7 @@ _made: list[weakref.ref[Simulation]] = []
 _abandoned: list[list[ScriptNode]] = []
 
 
-def register(sim: Simulation, scripts: list[ScriptNode]) -> None:
+def note_open(sim: Simulation, scripts: list[ScriptNode]) -> None:
     """Note a new simulation, and end the processes of those that were dropped.
 
     A notebook's `sim = Simulation()` drops the one before it: its processes end when the next one begins, and not in the

@@ -22,7 +22,6 @@ from simkit.simulation.delegate import delegate
 from simkit.simulation.gazebo_starter import GZSERVER, GazeboStarter
 from simkit.simulation.graph_client import GraphClient
 from simkit.simulation.launcher import Launcher, find_script
-from simkit.simulation.plots import Plots
 from simkit.simulation.recorder import Recorder
 from simkit.simulation.view import View
 from simkit.simulation.widgets import Widgets
@@ -59,7 +58,7 @@ class Simulation:
         node: The node in whose name Python code takes part.
         builtins: The built-in nodes started so far.
         tf: The transforms that were broadcast.
-        graph_client, launcher, gazebo_starter, recorder, view, world_window, plots, widgets: The parts.
+        graph_client, launcher, gazebo_starter, recorder, view, world_window, widgets: The parts.
     """
 
     def __init__(
@@ -78,7 +77,7 @@ class Simulation:
         self._scripts: list[ScriptNode] = []
         self._starts: list[tuple[str, tuple[Any, ...], dict[str, Any]]] = []
         self._begin()
-        open_simulations.register(self, self._scripts)
+        open_simulations.note_open(self, self._scripts)
 
     def _begin(self) -> None:
         """Be empty, at the first moment."""
@@ -95,7 +94,6 @@ class Simulation:
         self.recorder = Recorder(self)
         self.view = View(self)
         self.world_window = WorldWindow(self)
-        self.plots = Plots(self)
         self.widgets = Widgets(self)
 
     def __enter__(self) -> Simulation:
@@ -294,10 +292,10 @@ class Simulation:
     serve_window_of = delegate("view", View.serve_window_of)
     gzclient = delegate("world_window", WorldWindow.gzclient)
     gzclient_replay = delegate("world_window", WorldWindow.gzclient_replay)
-    tf_plot = delegate("plots", Plots.tf_plot)
-    joint_plot = delegate("plots", Plots.joint_plot)
-    tracking_plot = delegate("plots", Plots.tracking_plot)
-    path_plot = delegate("plots", Plots.path_plot)
+    tf_plot = delegate("recorder", Recorder.tf_plot)
+    joint_plot = delegate("recorder", Recorder.joint_plot)
+    tracking_plot = delegate("recorder", Recorder.tracking_plot)
+    path_plot = delegate("recorder", Recorder.path_plot)
     joint_sliders = delegate("widgets", Widgets.joint_sliders)
     teleop = delegate("widgets", Widgets.teleop)
     trajectory_sliders = delegate("widgets", Widgets.trajectory_sliders)

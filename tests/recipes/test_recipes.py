@@ -44,7 +44,7 @@ def test_the_shouter_shouts():
         sim.run(1.0)
         assert sim.latest("/shout").data == "hello"
 """
-COMMAND = '''"""`simkit rosversion`: which ROS the kit stands for."""
+COMMAND = '''"""`simkit rosdistro`: which ROS the kit stands for."""
 
 from __future__ import annotations
 
@@ -63,10 +63,10 @@ def _answer(_arguments: argparse.Namespace) -> Answer:
     return 0
 
 
-run = parsed("rosversion", add_arguments, _answer)
+run = parsed("rosdistro", add_arguments, _answer)
 '''
 COMMAND_TEST = """def test_it_is_noetic(simkit):
-    assert simkit("rosversion", "-d") == (0, "noetic\\n", "")
+    assert simkit("rosdistro", "-d") == (0, "noetic\\n", "")
 """
 RULE = '''@rule("URDF-I49", "a robot that is named robot", Severity.NOTE)
 def robot_named_robot(sheet: Sheet) -> Iterator[Find]:
@@ -206,15 +206,15 @@ def test_a_message(tree: Any) -> None:
 
 
 def test_a_command(tree: Any) -> None:
-    tree.write("simkit/commands/rosversion.py", COMMAND)
-    tree.write("tests/simkit/commands/test_rosversion.py", COMMAND_TEST)
+    tree.write("simkit/commands/rosdistro.py", COMMAND)
+    tree.write("tests/simkit/commands/test_rosdistro.py", COMMAND_TEST)
     tree.insert(
         "simkit/commands/table.py",
         '    Entry(\n        name="rosrun"',
-        '    Entry(\n        name="rosversion",\n        summary="show the distribution of ROS",\n'
-        '        group=_HERE,\n        module="simkit.commands.rosversion",\n    ),\n',
+        '    Entry(\n        name="rosdistro",\n        summary="show the distribution of ROS",\n'
+        "        group=THIS_INSTALLATION,\n    ),\n",
     )
-    tree.prove("a command", NAME="rosversion")
+    tree.prove("a command", NAME="rosdistro")
 
 
 def test_a_rule(tree: Any) -> None:

@@ -10,7 +10,7 @@ import time
 
 import pytest
 
-from simkit.live.client import call
+from simkit.live.client import run_in_session
 from simkit.live.session import Session, SessionError, find_session
 
 HOST = """
@@ -53,7 +53,7 @@ def host(package, tmp_path, monkeypatch):
 
 def say(*argv):
     pieces = []
-    return call(find_session(), argv, pieces.append), "".join(pieces)
+    return run_in_session(find_session(), argv, pieces.append), "".join(pieces)
 
 
 def test_time_goes_at_the_pace_of_the_clock(host):
@@ -138,6 +138,6 @@ def test_an_ended_simulation_is_named(host):
     host.terminate()
     host.wait()
     with pytest.raises(SessionError, match="has ended"):
-        call(session, ["time"], print)
+        run_in_session(session, ["time"], print)
     with pytest.raises(SessionError, match="has ended"):
-        call(Session(port=1, token="x", pid=1), ["time"], print)
+        run_in_session(Session(port=1, token="x", pid=1), ["time"], print)
