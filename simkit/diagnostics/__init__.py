@@ -1,7 +1,7 @@
 """Diagnostics: what is wrong in a file, where, what it does here and in Gazebo, and what would be right.
 
 `table` has the rows: each is a `Rule` with a stable id (`URDF-W07`), for one kind of fault; a `Find` is a place where it is. A
-`Diagnostic` is what people are told. How that looks on a terminal and as JSON is in `show`.
+`Diagnostic` is what people read. How that looks on a terminal and as JSON is in `show`.
 """
 
 from simkit.diagnostics.diagnostic import Diagnostic, Related, Severity, in_order

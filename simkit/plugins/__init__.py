@@ -1,7 +1,7 @@
 """The plugins of gazebo_ros: what makes a robot in a world drive, see, feel and obey.
 
-Read it in this order: `plugin` (what a plugin is), `site` (what it is given), `tags` (what its tag may say), `registry` (which
-there are); then one file, or one package, a plugin. Nothing is loaded before it is used.
+Read it in this order: `plugin` (what a plugin is), `site` (what it is given), `registry` (what an entry is), `tags` (which there
+are, and what their tags may say); then one file, or one package, a plugin. Nothing is loaded before it is used.
 """
 
 from __future__ import annotations

@@ -181,7 +181,7 @@ def _slow(drive: DrivenWheels, found: Means) -> str | None:
 
 
 def _errors(drive: DrivenWheels) -> tuple[float, float]:
-    """By which factors diameter and separation make it drive, and turn, faster than it is told."""
+    """By which factors diameter and separation make it drive, and turn, faster than commanded."""
     real = drive.real_diameter()
     grown = 1.0 if real is None else real / drive.diameter
     return grown, drive.separation / max(drive.real_separation(), 1e-6)
@@ -214,7 +214,7 @@ FAR, ROUND = 0.01, 0.02
 
 @drive_watcher("GZ-W05")
 def drifting(scene: WatchedModel, motion: Motion) -> Looks:
-    """Looks at a robot on wheels that is told to stand: whether it creeps, once in 6 s of standing."""
+    """Looks at a robot on wheels that is to stand: whether it creeps, once in 6 s of standing."""
     looks = 0
     while True:
         looks = 0 if any(motion.drive.command()) else looks + 1
@@ -246,7 +246,7 @@ CALM = 0.05
 
 @drive_watcher("GZ-W04")
 def wheels_in_air(scene: WatchedModel, motion: Motion) -> Looks:
-    """Looks at wheels that are told to turn: whether those of a robot that stands touch nothing."""
+    """Looks at wheels that are to turn: whether those of a robot that stands touch nothing."""
     looks = good_looks = 0
     model, wheels = scene.model, motion.drive.joints
     while good_looks < ENOUGH:

@@ -40,7 +40,7 @@ class DrivenWheels:
         return (*self.left, *self.right)
 
     def command(self) -> tuple[float, float]:
-        """What the motors are told now: speed forward [m/s], and turning to the left [rad/s]."""
+        """What the motors are commanded now: speed forward [m/s], and turning to the left [rad/s]."""
         return self._twist([joint.command for joint in self.left], [joint.command for joint in self.right])  # fmt: skip
 
     def rolled(self) -> tuple[float, float]:
@@ -125,7 +125,7 @@ class Moment:
     spin: float
     """How fast it turns [rad/s]."""
     command: tuple[float, float]
-    """What the wheels are told: speed forward [m/s], turning to the left [rad/s]."""
+    """The command of the wheels: speed forward [m/s], turning to the left [rad/s]."""
     rolled: tuple[float, float]
     """What they do."""
 
@@ -135,7 +135,7 @@ class Means:
     """Means over some looks, each as speed forward [m/s] and turning to the left [rad/s]."""
 
     command: tuple[float, float]
-    """What the wheels were told."""
+    """The command of the wheels."""
     rolled: tuple[float, float]
     """What they did."""
     moved: tuple[float, float]

@@ -18,7 +18,7 @@ LIGHTEST = 1e-5
 """Gazebo takes a smaller mass [kg] for none."""
 
 _FAR = 1e6
-"Distances, masses and moments beyond this are slips of the pen, which other rules tell of."
+"Distances, masses and moments beyond this are slips of the pen, which other rules report."
 
 
 def frame_of(origin: OriginEntry) -> Transform | None:

@@ -114,10 +114,10 @@ def _found(rule: Rule, sheet: Sheet) -> Iterator[Diagnostic]:
         file = (one.companion or sheet.document).file
         kinds.setdefault((file, "" if one.about is None else one.about.name), []).append(one)
     for same in kinds.values():
-        told, rest = same[:MOST_FINDS], len(same) - MOST_FINDS
+        shown, rest = same[:MOST_FINDS], len(same) - MOST_FINDS
         if rest > 0:
-            told[-1] = replace(told[-1], what=f"{told[-1].what}; and {rest} more like it")
-        yield from (rule.diagnostic(one, sheet.document) for one in told)
+            shown[-1] = replace(shown[-1], what=f"{shown[-1].what}; and {rest} more like it")
+        yield from (rule.diagnostic(one, sheet.document) for one in shown)
 
 
 def _looked(rule: Rule, sheet: Sheet) -> Iterable[Find]:

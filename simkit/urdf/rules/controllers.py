@@ -65,7 +65,7 @@ def gains(sheet: Sheet) -> Iterator[Find]:
     Symptom: A red line `No p gain specified for pid`, or an arm that hangs down although its controller runs.
 
     Cause: A controller of forces (`effort_controllers/...`) computes the force from the error, by its gains; without gains
-    it is 0. A controller of positions (`position_controllers/...`) needs none: the joint simply goes where it is told.
+    it is 0. A controller of positions (`position_controllers/...`) needs none: the joint simply goes where it is sent.
     Gazebo asks for gains of its own for it, complains that there are none, and does without.
 
     Remedy: `gains` for controllers of forces and speeds. For controllers of positions ignore the line.
@@ -168,7 +168,7 @@ def _joint_faults(
             what = f"no transmission offers {quoted(joint.text)} to the controller {quoted(controller.name.text)}"
             remedy = f"Add a <transmission> with <joint name={quoted(joint.text)}> and {needed}."
         elif interface is None:
-            continue  # the transmission is told of
+            continue  # the transmission is reported
         else:
             what = f"the controller {quoted(controller.name.text)} needs {needed}, and the transmission of "
             what += f"{quoted(joint.text)} offers {quoted(interface)}"

@@ -71,7 +71,7 @@ def _is_accepted(sheet: Sheet) -> bool:
         robot_element(sheet.document)
     except XmlRefusedError as refusal:
         own = sheet.document.root
-        is_other = own is not None and own.name != "robot"  # which another rule tells of
+        is_other = own is not None and own.name != "robot"  # which another rule reports
         return is_other and str(refusal) == NO_ROBOT
     return True
 

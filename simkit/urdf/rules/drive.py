@@ -15,8 +15,8 @@ from simkit.xml import Element
 
 _NEAR = 0.001
 "Wheels that are less apart than this [m] are in one place."
-_TOLD, _BAD = 0.02, 0.1
-"A size that is off by these shares is told, as a note and as a warning."
+_NOTED, _BAD = 0.02, 0.1
+"A size that is off by these shares is reported, as a note and as a warning."
 _ROLLS = '<axis xyz="0 1 0"/>'
 
 
@@ -82,7 +82,7 @@ def wheel_sizes(sheet: Sheet) -> Iterator[Find]:
             what = f"the wheels are {four_digits(apart)} m apart"
             yield from _size(drive, "wheelSeparation", apart, what, "turns", grows=True)
         radii = [wheel.radius for wheel in drive.wheels if wheel.radius is not None]
-        if len(radii) == len(drive.wheels) and max(radii) <= min(radii) * (1.0 + _TOLD):
+        if len(radii) == len(drive.wheels) and max(radii) <= min(radii) * (1.0 + _NOTED):
             what = f"the wheels have a diameter of {four_digits(2 * radii[0])} m (radius {four_digits(radii[0])} m)"
             yield from _size(drive, "wheelDiameter", 2 * radii[0], what, "drives", grows=False)
 
@@ -134,19 +134,19 @@ def _backward(wheel: Wheel) -> tuple[str, str]:
 def _size(
     drive: Drive, name: str, real: float, what: str, verb: str, *, grows: bool
 ) -> Iterator[Find]:
-    told = drive.number(name)
-    if told is None or told <= 0.0 or abs(told / real - 1.0) <= _TOLD:
+    given_size = drive.number(name)
+    if given_size is None or given_size <= 0.0 or abs(given_size / real - 1.0) <= _NOTED:
         return
-    factor = told / real if grows else real / told
+    factor = given_size / real if grows else real / given_size
     given = drive.plugin.parameter(name)
     stands = (
-        f"<{name}> is {four_digits(told)} m"
+        f"<{name}> is {four_digits(given_size)} m"
         if given is not None
-        else f"<{name}> is not given, so {four_digits(told)} m"
+        else f"<{name}> is not given, so {four_digits(given_size)} m"
     )
     yield Find(
         (given.text_span or given) if given is not None else drive.plugin.element,
-        severity=Severity.WARNING if abs(told / real - 1.0) > _BAD else Severity.NOTE,
+        severity=Severity.WARNING if abs(given_size / real - 1.0) > _BAD else Severity.NOTE,
         element=drive.place(name),
         what=f"{stands}, but {what}",
         both=f"The robot {verb} {four_digits(factor)} times as fast as it is told; odometry from the wheels is off by that "
@@ -206,7 +206,7 @@ def _weak(drive: Drive, place: Element, what: str, enough: float) -> Find:
     name = drive.torque_name
     is_read = place.name in (name, "plugin")
     follows = "The robot hardly moves, or not at all."
-    if not is_read:  # another rule tells of that
+    if not is_read:  # another rule reports that
         what = f"{what}, if it is read"
         follows = f"As it is the robot moves: <{place.name}> is not read, and 5 N m is the default of <{name}>."
     return Find(
@@ -230,8 +230,8 @@ def dragging_caster(sheet: Sheet) -> Iterator[Find]:
 
     Symptom: The robot drives slower than it is told, turns jerkily, or creeps to one side.
 
-    Cause: A ball on a fixed joint does not roll, it slides; and every shape has a friction of 1 unless it is told
-    otherwise.
+    Cause: A ball on a fixed joint does not roll, it slides; and every shape has a friction of 1 unless the file
+    says otherwise.
 
     Remedy: No friction for the link of the ball. In URDF that stands in a `<gazebo>`; `<surface>` in the collision is SDF,
     and is not read.

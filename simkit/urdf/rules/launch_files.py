@@ -254,12 +254,12 @@ def two_joint_states(sheet: Sheet) -> Iterator[Find]:
           </plugin>
         </gazebo>
     """
-    told = [
+    publishers = [
         related(one.element, "the plugin", sheet.document)
         for one in sheet.plugins
         if one.filename == _PLUGIN
     ]
-    told += [
+    publishers += [
         Related(file=one.file, span=Span(1, 1), text=f"has a {_CONTROLLER}")
         for one in sheet.companions
         if one.kind is CompanionKind.YAML and _CONTROLLER in one.text
@@ -267,10 +267,14 @@ def two_joint_states(sheet: Sheet) -> Iterator[Find]:
     for launch in companion_launches(sheet):
         spawns = any(node.get("type") == "spawn_model" for node in launch.nodes)
         for node in launch.nodes:
-            if (node.get("type") or "").startswith("joint_state_publisher") and told and spawns:
+            if (
+                (node.get("type") or "").startswith("joint_state_publisher")
+                and publishers
+                and spawns
+            ):
                 yield Find(
                     node,
                     companion=launch.companion,
                     what=f"node {quoted(node.get('name'))} and the simulation both publish /joint_states",
-                    related=told[:1],
+                    related=publishers[:1],
                 )

@@ -48,7 +48,7 @@ def undefined_material(sheet: Sheet) -> Iterator[Find]:
     names = {name: one for name, one in defined.items() if one.is_global}
     known = sorted(defined)
     uses = Counter(one.name for one in sheet.materials)
-    told: set[str] = set()
+    reported: set[str] = set()
     for material in sheet.materials:
         if not material.name:
             continue
@@ -56,11 +56,11 @@ def undefined_material(sheet: Sheet) -> Iterator[Find]:
         if _is_definition(material):
             if not material.is_global:
                 names.setdefault(material.name, material)
-            if first is not None and material.name not in told and _differ(material, first):
-                told.add(material.name)
+            if first is not None and material.name not in reported and _differ(material, first):
+                reported.add(material.name)
                 yield _redefined(material, first)
-        elif material.name not in names and material.name not in told:
-            told.add(material.name)
+        elif material.name not in names and material.name not in reported:
+            reported.add(material.name)
             more = uses[material.name] - 1
             yield _undefined(sheet, material, first, known, more)
 
@@ -174,7 +174,7 @@ def _trouble(written: Attribute | None) -> tuple[str, str]:
 
 
 def _mended(text: str) -> str:
-    """The colour that was meant by something that is not four numbers; grey if that cannot be told."""
+    """The colour that was meant by something that is not four numbers; grey if that is not clear."""
     right = mended(text, 4) or mended(text, 3)
     numbers = [float(word) for word in (right or "").split()]
     return _scaled([*numbers, 1.0][:4]) if numbers else _GREY_RGBA

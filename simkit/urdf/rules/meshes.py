@@ -23,7 +23,7 @@ _FACET = struct.Struct("<12x9f2x")
 
 
 def mesh_extent(path: Path) -> tuple[float, float, float] | None:
-    """Lengths of the mesh along x, y, z, in the unit of the file; None if it cannot be told."""
+    """Lengths of the mesh along x, y, z, in the unit of the file; None if the file does not say."""
     suffix = path.suffix.lower()
     try:
         if suffix not in (".stl", ".obj") or path.stat().st_size > _LARGEST_BYTES:
@@ -116,7 +116,7 @@ class _Looker:
         self._unknown: dict[str, list[tuple[Element, Attribute, str]]] = {}
 
     def look(self, body: BodyEntry, attribute: Attribute, *, count: int) -> Iterator[Find]:
-        """What is wrong with a mesh, told at the first of its `count` uses."""
+        """What is wrong with a mesh, reported at the first of its `count` uses."""
         shape, element = body.shape, body.shape_element
         if not isinstance(shape, Mesh) or element is None:
             return

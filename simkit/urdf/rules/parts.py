@@ -40,7 +40,7 @@ _VECTORS = ("size",)
 
 
 def missing_attributes(element: Element, word: str) -> list[str]:
-    """Attributes that an element must have and has not, not even misspelt; names are told of by another rule."""
+    """Attributes that an element must have and has not, not even misspelt; another rule reports names."""
     if word in _OTHER_RULES:
         return []
     required = [name for name in WORDS[word].required if name != "name"]
@@ -172,7 +172,7 @@ def element_missing(sheet: Sheet) -> Iterator[Find]:
 
 
 def _end_text(sheet: Sheet, element: Element, word: str) -> str:
-    """What to write into a `<parent/>` or `<child/>` that names no link; nothing if it cannot be told."""
+    """What to write into a `<parent/>` or `<child/>` that names no link; nothing if that is not clear."""
     is_end = word in ("parent", "child") and element.parent is not None and not element.text.strip()
     link = free_end(sheet, element.parent or element, word) if is_end else ""
     return link and f'Write <{word} link="{shown(link)}"/>.'
@@ -205,7 +205,7 @@ def _lacking(element: Element, name: str, example: str) -> Find:
 def _no_shape(geometry: Element) -> Iterator[Find]:
     shape = geometry.children[0] if geometry.children else None
     if shape is not None and (shape.name in SHAPES or meant_word(shape, SHAPES) is not None):
-        return  # misspelt ones are told of by the rule of unknown words
+        return  # the rule of unknown words reports misspelt ones
     follows = loss(geometry)
     known = "URDF knows <box>, <cylinder>, <sphere> and <mesh>."
     what = f"the geometry of {part_of(geometry)} is empty"

@@ -1,4 +1,4 @@
-"""Rules on plugins: which one it is, where it stands, what it is told."""
+"""Rules on plugins: which one it is, where it stands, what its tag says."""
 
 from __future__ import annotations
 

@@ -98,7 +98,7 @@ def _distance(left: Vector, right: Vector) -> float:
 _WIDER = 1.05
 "A radius of gyration that exceeds the reach of the shape by less may be rounded."
 _NOTED, _WARNED = 3.0, 10.0
-"From these factors between an inertia and that of its shape on, it is told."
+"From these factors between an inertia and that of its shape on, it is reported."
 
 _UNITS = {1e3: "g m²", 1e4: "kg cm²", 1e6: "kg mm²", 1e7: "g cm²", 1e9: "g mm²"}
 "An inertia in a wrong unit is too large by this."

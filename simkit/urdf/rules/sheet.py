@@ -76,7 +76,7 @@ class Companion:
 Entry = TypeVar("Entry", LinkEntry, JointEntry)
 
 MOST_FINDS = 20
-"""So many finds of one rule about one kind of element are told; of the rest, the number."""
+"""So many finds of one rule about one kind of element are shown; of the rest, the number."""
 _MOST_NEAR = 60
 """So often near names are looked for; it takes long, and nobody reads the hundredth."""
 _MOST_KNOWN = 1000
@@ -138,7 +138,7 @@ class Sheet:
         return near_names(name, short[:_MOST_KNOWN])
 
     def is_closed_otherwise(self, element: Element) -> bool:
-        """Whether an end tag of another name closes an element: a find about XML tells of its name already."""
+        """Whether an end tag of another name closes an element: a find about XML names it already."""
         return element.span in self._mismatched
 
     def is_root(self, link: LinkEntry) -> bool:

@@ -60,10 +60,12 @@ def in_the_floor(sheet: Sheet) -> Iterator[Find]:
     height = _spawn_height(sheet)
     if body is None or lowest + (height or 0.0) > -_BELOW:
         return
-    told = "" if height is None else f", and the launch file spawns it at z = {four_digits(height)}"
+    spawned = (
+        "" if height is None else f", and the launch file spawns it at z = {four_digits(height)}"
+    )
     yield Find(
         body.element,
-        what=f"the robot reaches {four_digits(-lowest)} m below its root link (here, with {quoted(name)}){told}",
+        what=f"the robot reaches {four_digits(-lowest)} m below its root link (here, with {quoted(name)}){spawned}",
         remedy=f"Spawn it with -z {_up(-lowest)} or more.",
     )
 
@@ -118,7 +120,7 @@ def _shown(pairs: list[tuple[str, str]]) -> str:
 
 
 def _overlapping(sheet: Sheet, connections: _Connections) -> Iterator[tuple[str, str]]:
-    """Pairs of links that reach into each other and may be told of, each pair once, in the order of the file."""
+    """Pairs of links that reach into each other and are worth a word, each pair once, in the order of the file."""
     boxes = sorted(_boxes(sheet), key=lambda box: box[0])
     active: list[tuple[float, str, PlacedShape]] = []
     found: dict[tuple[str, str], None] = {}

@@ -34,12 +34,12 @@ def unknown_link(sheet: Sheet) -> Iterator[Find]:
 
         <parent link="base_link"/>
     """
-    told = names_for_spare_links(sheet)
+    explained = names_for_spare_links(sheet)
     by_name: dict[str, list[Wanted]] = {}
     for wanted in wanted_links(sheet):
         by_name.setdefault(wanted.name, []).append(wanted)
     for name, uses in by_name.items():
-        if name not in told:
+        if name not in explained:
             yield _unknown(sheet, name, uses)
 
 

@@ -51,7 +51,7 @@ def spare_links(sheet: Sheet) -> list[LinkEntry]:
 def names_for_spare_links(sheet: Sheet) -> dict[str, LinkEntry]:
     """Spare links by the name that some joint asks for, as far as that name looks like no other link's.
 
-    So a link that lost its name is told of where it stands, and not once more where a joint asks for it.
+    So a link that lost its name is reported where it stands, and not once more where a joint asks for it.
     """
     spare = spare_links(sheet)
     found: dict[str, LinkEntry] = {}
@@ -147,7 +147,7 @@ def two_parents(sheet: Sheet) -> Iterator[tuple[JointEntry, JointEntry]]:
 
 
 def _is_copy(sheet: Sheet, joint: JointEntry) -> bool:
-    """Whether another joint before it has its name: the rule of names tells of that."""
+    """Whether another joint before it has its name: the rule of names reports that."""
     return joint.name is not None and sheet.joint_by_name[joint.name] is not joint
 
 

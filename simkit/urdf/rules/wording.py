@@ -73,7 +73,7 @@ _LONGEST = 200
 
 
 def mended(text: str, count: int) -> str | None:
-    """So many numbers as they should have been written; None if it cannot be told what was meant.
+    """So many numbers as they should have been written; None if it is not clear what was meant.
 
     Args:
         text: What is written.
