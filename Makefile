@@ -62,11 +62,11 @@ grade: $(READY)
 
 test: $(TESTS)
 	-@$(COMPILE) simkit grader
-	$(BIN)/python -m pytest -n 2 -m "not slow"
+	$(BIN)/python -m pytest -n 2 --dist worksteal -m "not slow"
 
 test-all: $(TESTS)
 	-@$(COMPILE) simkit grader
-	$(BIN)/python -m pytest -n 2
+	$(BIN)/python -m pytest -n 2 --dist worksteal
 
 lint: $(TESTS)
 	$(BIN)/ruff check .

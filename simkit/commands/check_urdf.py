@@ -79,7 +79,7 @@ def _answer(arguments: argparse.Namespace) -> Answer:
 
         listed = arguments.list_rules
         yield (
-            rule_book.list_text() if listed else rule_book.explanation_of(arguments.explain)
+            rule_book.rules_text() if listed else rule_book.explanation_of(arguments.explain)
         ) + "\n"
         return 0
     urdfs = [name for name in arguments.files if _kind(name) is None]

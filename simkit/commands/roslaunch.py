@@ -15,7 +15,7 @@ from simkit.commands import rosrun
 from simkit.commands.command import Answer, Call, Keys, Wait
 from simkit.commands.errors import UsageError
 from simkit.commands.parser import ArgumentParser
-from simkit.commands.rosrun import LAST_WORDS, NodeOutput, press, takes_keys, watch
+from simkit.commands.rosrun import LAST_WORDS, NodeOutput, press, takes_keys, watch_output
 from simkit.errors import SimkitError
 from simkit.graph.log import LogLevel
 from simkit.launch import Launch, summary, summary_of
@@ -132,13 +132,13 @@ def run(call: Call) -> Answer:
     if any(map(takes_keys, nodes)):
         yield Keys(lambda key: _press_all(launch, key))
     try:
-        yield from watch(call, output, lambda: _is_over(launch), seconds=call.bounds.start)
+        yield from watch_output(call, output, lambda: _is_over(launch), seconds=call.bounds.start)
         if call.leaves_nodes:
-            return exit_code_of(launch)
+            return exit_code_of_launch(launch)
         if call.hosts and not plan.nodes:
             yield Wait()
         yield f"{CLOSING}done\n" if launch.handles else f"{NO_PROCESSES}\n{CLOSING}"
-        return exit_code_of(launch)
+        return exit_code_of_launch(launch)
     except KeyboardInterrupt:
         launch.shutdown()
         yield output.new()
@@ -150,7 +150,7 @@ def run(call: Call) -> Answer:
             launch.shutdown()
 
 
-def exit_code_of(launch: Launch) -> int:
+def exit_code_of_launch(launch: Launch) -> int:
     """What `roslaunch` ends with: 1 if a required node has ended, or nothing could be started."""
     return 1 if launch.exit_code or (launch.failures and not launch.handles) else 0
 

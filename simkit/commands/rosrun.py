@@ -100,8 +100,8 @@ def run(call: Call) -> Answer:
     ends = seconds is not None or not call.leaves_nodes
     try:
         bound = seconds if call.leaves_nodes and seconds is not None else call.bounds.start
-        yield from watch(call, output, lambda: not node.alive, seconds=bound)
-        return exit_code_of(node)
+        yield from watch_output(call, output, lambda: not node.alive, seconds=bound)
+        return exit_code_of_node(node)
     except KeyboardInterrupt:
         node.shutdown()
         yield Wait(until=lambda: not node.alive, seconds=LAST_WORDS)
@@ -135,14 +135,16 @@ def press(node: NodeHandle, key: str) -> None:
             program.press(key)
 
 
-def exit_code_of(node: NodeHandle) -> int:
+def exit_code_of_node(node: NodeHandle) -> int:
     """What `rosrun` ends with: the exit code of the node, 1 if it failed or was killed."""
     if node.alive or (not node.exit_code and node.failure is None):
         return 0
     return node.exit_code if node.exit_code and node.exit_code > 0 else 1
 
 
-def watch(call: Call, output: NodeOutput, is_over: Callable[[], bool], *, seconds: float) -> Answer:
+def watch_output(
+    call: Call, output: NodeOutput, is_over: Callable[[], bool], *, seconds: float
+) -> Answer:
     """Give what nodes print until something is over, or so much virtual time has passed [s]."""
     end = call.sim.now.to_sec() + seconds
     while not is_over() and (left := end - call.sim.now.to_sec()) > 0:

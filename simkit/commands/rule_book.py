@@ -20,7 +20,7 @@ def rule_book() -> tuple[Rule, ...]:
     return in_table_order((*all_rules(), *OF_LAUNCH_FILES, *OF_WORLDS))
 
 
-def list_text() -> str:
+def rules_text() -> str:
     """What `--list-rules` prints: a line for each rule."""
     width = max(len(rule.id) for rule in rule_book())
     return "\n".join(

@@ -17,9 +17,9 @@ from simkit.xml.letters import (
     TO_SPACE,
     WHITE,
     Pattern,
+    excerpt,
     is_foreign,
     replace_in_value,
-    shortened,
     words_on_junk,
 )
 from simkit.xml.source import Source
@@ -157,8 +157,8 @@ class AttributeList:
         if not has_space:
             self.fault(
                 *name.span(),
-                what=f"there is no space before {shortened(name[0])}",
-                remedy=f"Write a space before {shortened(name[0])}.",
+                what=f"there is no space before {excerpt(name[0])}",
+                remedy=f"Write a space before {excerpt(name[0])}.",
                 kind=FaultKind.LOOSE_ATTRIBUTE,
             )
         equals = _EQUALS.match(text, name.end())
@@ -174,9 +174,9 @@ class AttributeList:
             self.at = name.end()
 
     def _not_one_equals(self, name: re.Match[str], sign: str, at: int) -> None:
-        shown = shortened(_attribute_name(name))
+        shown = excerpt(_attribute_name(name))
         quoted = _QUOTED.match(self._source.text, at)
-        remedy = f'Write {shown}="{shortened(quoted[1]) if quoted else "..."}"'
+        remedy = f'Write {shown}="{excerpt(quoted[1]) if quoted else "..."}"'
         if sign:
             what = f"{shown} has more than one ="
         elif self._source.text[at : at + 1] in ('"', "'"):
@@ -197,7 +197,7 @@ class AttributeList:
             self._cut(place, cut)
             return
         if bracket >= 0:
-            what = f"< cannot stand in the value of {shortened(name[0])}"
+            what = f"< cannot stand in the value of {excerpt(name[0])}"
             remedy, kind = "Write &lt; instead.", FaultKind.BAD_CHARACTER
             source.fault(kind, bracket, bracket + 1, what=what, remedy=remedy)
         self._keep(place, *replace_in_value(source, at + 1, end))
@@ -209,15 +209,15 @@ class AttributeList:
         self.fault(
             place.start - 1,
             cut.end,
-            what=f"the value of {shortened(place.name)} has no quotation mark at its end",
-            remedy=f'Write {shortened(place.name)}="{shortened(value)}"',
+            what=f"the value of {excerpt(place.name)} has no quotation mark at its end",
+            remedy=f'Write {excerpt(place.name)}="{excerpt(value)}"',
         )
         self._keep(_Place(place.name, place.name_at, place.start, cut.end), value)
         self._last = None
         self.at = cut.resume
 
     def _unquoted(self, name: re.Match[str], at: int) -> None:
-        found, shown = _unquoted_value(self._source.text, at), shortened(name[0])
+        found, shown = _unquoted_value(self._source.text, at), excerpt(name[0])
         if found is None:
             what = f"there is no value behind {shown}="
             self.fault(*name.span(), what=what, remedy=f'Write {shown}="...", or delete it.')
@@ -227,7 +227,7 @@ class AttributeList:
             at,
             found.end,
             what=f"the value of {shown} {found.what}",
-            remedy=f'Write {shown}="{shortened(found.value)}"',
+            remedy=f'Write {shown}="{excerpt(found.value)}"',
             kind=FaultKind.LOOSE_ATTRIBUTE if found.is_bare else FaultKind.MALFORMED_TAG,
         )
         end = found.start + len(found.value)
@@ -249,8 +249,8 @@ class AttributeList:
         source.fault_at(
             FaultKind.DUPLICATE_ATTRIBUTE,
             one.name_span,
-            what=f'{shortened(name)} stands twice in this tag: "{shortened(first.value)}" and "{shortened(value)}"',
-            remedy=f"Delete one of the two {shortened(name)}=..., or rename the one that was meant to be another.",
+            what=f'{excerpt(name)} stands twice in this tag: "{excerpt(first.value)}" and "{excerpt(value)}"',
+            remedy=f"Delete one of the two {excerpt(name)}=..., or rename the one that was meant to be another.",
             other=first.name_span,
         )
 

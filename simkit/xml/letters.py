@@ -75,7 +75,7 @@ def spoken(letter: str) -> str:
     return f"`{letter}`" if letter.isascii() or letter.isprintable() else code
 
 
-def shortened(text: str) -> str:
+def excerpt(text: str) -> str:
     """A piece of the file for a message: on one line, not too long, nothing in it that moves a terminal."""
     text = " ".join(text[: 4 * _LONGEST].split())
     text = "".join(letter if letter.isprintable() else "\ufffd" for letter in text)
@@ -99,8 +99,8 @@ def words_on_junk(junk: str) -> tuple[str, str]:
     if not junk.isascii() and len(set(junk)) == 1:
         remedy = "Delete it, and type a space where one is needed."
         return f"in the tag stands {spoken(junk[0])}", remedy
-    what = f"{shortened(junk)} does not belong to an attribute"
-    return what, f'Delete it, or write name="{shortened(junk)}"'
+    what = f"{excerpt(junk)} does not belong to an attribute"
+    return what, f'Delete it, or write name="{excerpt(junk)}"'
 
 
 class Pattern:
@@ -200,7 +200,7 @@ def _meaning(source: Source, found: re.Match[str]) -> str:
         FaultKind.BAD_CHARACTER,
         found.start(),
         found.end(),
-        what=f"{shortened(found[0])} is not the number of a letter that XML allows",
+        what=f"{excerpt(found[0])} is not the number of a letter that XML allows",
         remedy="Write the letter itself, or its number in Unicode, e.g. &#176; for °.",
     )
     return found[0]
@@ -215,7 +215,7 @@ def _entity(source: Source, found: re.Match[str]) -> str:
             FaultKind.ENTITY,
             found.start(),
             found.end(),
-            what=f"XML has no entity {shortened(found[0])}; it has &lt; &gt; &amp; &quot; &apos;",
+            what=f"XML has no entity {excerpt(found[0])}; it has &lt; &gt; &amp; &quot; &apos;",
             remedy=_entity_remedy(name),
         )
     return found[0]
@@ -229,7 +229,7 @@ def _entity_remedy(name: str) -> str:
     letter = html5.get(f"{name};", "")
     if len(letter) == 1 and letter.isprintable():
         return f"Write the letter itself: {letter}"
-    return f"Write &amp;{shortened(name)}; if the sign & is meant, or else the text that you want."
+    return f"Write &amp;{excerpt(name)}; if the sign & is meant, or else the text that you want."
 
 
 def _bare(source: Source, at: int) -> None:
@@ -238,10 +238,10 @@ def _bare(source: Source, at: int) -> None:
     found = _BARE.match(source.text, at)
     is_number, name = (found[1], found[2]) if found else ("", "")
     if name and (is_number or name in ENTITIES):
-        what = f"{shortened(f'&{is_number}{name}')} has no semicolon at its end"
-        remedy = f"Write {shortened(f'&{is_number}{name};')}"
+        what = f"{excerpt(f'&{is_number}{name}')} has no semicolon at its end"
+        remedy = f"Write {excerpt(f'&{is_number}{name};')}"
         if is_number and name[0] == "X":
-            what, remedy = "the x of &#x...; is a small letter", f"Write &#x{shortened(name[1:])};"
+            what, remedy = "the x of &#x...; is a small letter", f"Write &#x{excerpt(name[1:])};"
     else:
         what, remedy = (
             "& begins an entity such as &lt; and cannot stand alone",

@@ -9,7 +9,7 @@ import re
 from itertools import islice
 
 from simkit.xml.document import Attribute, Element, FaultKind, Span
-from simkit.xml.letters import NAME, SPACE, WHITE, Pattern, shortened
+from simkit.xml.letters import NAME, SPACE, WHITE, Pattern, excerpt
 from simkit.xml.source import Source
 from simkit.xml.tags import EndTag, StartTag, Text
 
@@ -78,7 +78,7 @@ def repair_end_of_file(source: Source, open_elements: list[OpenElement]) -> None
 
 def _note_twin(source: Source, one: OpenElement, twin: Element) -> None:
     """Note that an element stands in one of its own name, most likely instead of its end tag; and take it away."""
-    name, start = shortened(one.name), source.span(one.tag.at, one.tag.at + len(one.name))
+    name, start = excerpt(one.name), source.span(one.tag.at, one.tag.at + len(one.name))
     source.fault_at(
         FaultKind.DOUBLED_TAG,
         twin.span,
@@ -106,8 +106,8 @@ def note_bare_tag(source: Source, one: OpenElement, name: str, other: Span) -> b
     source.fault(
         FaultKind.MALFORMED_TAG,
         *match.span(),
-        what=f"{shortened(match[0])} is text, since no < stands before it",
-        remedy=f"Write </{shortened(name)}>" if is_end else f"Write <{shortened(match[0])}",
+        what=f"{excerpt(match[0])} is text, since no < stands before it",
+        remedy=f"Write </{excerpt(name)}>" if is_end else f"Write <{excerpt(match[0])}",
         other=other,
     )
     return True
@@ -117,17 +117,17 @@ def note_misspelt(source: Source, tag: EndTag, start: StartTag) -> None:
     """One of two tags is misspelt: the one whose name stands nowhere else."""
     start_span = source.span(start.at, start.at + len(start.name))
     end_span = source.span(tag.at, tag.end)
-    opened, closed = f"<{shortened(start.name)}>", f"</{shortened(tag.name)}>"
+    opened, closed = f"<{excerpt(start.name)}>", f"</{excerpt(tag.name)}>"
     is_start_rare, is_end_rare = _is_rare(source, start.name), _is_rare(source, tag.name)
     if is_start_rare and not is_end_rare:
         what = f"{opened} is closed by {closed} in line {end_span.line}, whose name is another"
-        remedy = f"Write <{shortened(tag.name)}> here."
+        remedy = f"Write <{excerpt(tag.name)}> here."
         start_span, end_span = end_span, start_span
     else:
         what = f"{closed} is to close {opened} of line {start_span.line}, but its name is another"
-        remedy = f"Write </{shortened(start.name)}>"
+        remedy = f"Write </{excerpt(start.name)}>"
         if is_start_rare and is_end_rare:
-            remedy += f", or <{shortened(tag.name)}> in line {start_span.line}"
+            remedy += f", or <{excerpt(tag.name)}> in line {start_span.line}"
     kind = FaultKind.MISMATCHED_TAG
     source.fault_at(kind, end_span, what=what, remedy=remedy, other=start_span)
 
@@ -145,8 +145,8 @@ def note_mismatched(source: Source, tag: EndTag, start: StartTag) -> None:
         FaultKind.MISMATCHED_TAG,
         tag.at,
         tag.end,
-        what=f"</{shortened(tag.name)}> stands where <{shortened(start.name)}> of line {line} is to be closed",
-        remedy=f"Write </{shortened(start.name)}>",
+        what=f"</{excerpt(tag.name)}> stands where <{excerpt(start.name)}> of line {line} is to be closed",
+        remedy=f"Write </{excerpt(start.name)}>",
         other=source.span(start.at, start.at + len(start.name)),
     )
 
@@ -207,7 +207,7 @@ def _note_early_bracket(source: Source, one: OpenElement) -> bool:
         FaultKind.MALFORMED_TAG,
         at - 1,
         at,
-        what=f"this > ends the tag <{shortened(one.name)}>, but more attributes follow",
+        what=f"this > ends the tag <{excerpt(one.name)}>, but more attributes follow",
         remedy="Delete this >",
         other=source.span(one.tag.at, one.tag.at + len(one.name)),
     )
@@ -215,16 +215,16 @@ def _note_early_bracket(source: Source, one: OpenElement) -> bool:
 
 
 def _note_unclosed(source: Source, one: OpenElement, end: EndTag, first: int | None) -> None:
-    tag, name = one.tag, shortened(one.name)
+    tag, name = one.tag, excerpt(one.name)
     span = source.span(end.at, end.end)
-    place = f"before </{shortened(end.name)}> in line {span.line}"
+    place = f"before </{excerpt(end.name)}> in line {span.line}"
     remedy = f"Write </{name}> {place}."
     if first == 0 or _is_empty(one):
-        shown = shortened(f"<{source.text[tag.at : tag.end - 1].rstrip(WHITE)}") + "/>"
+        shown = excerpt(f"<{source.text[tag.at : tag.end - 1].rstrip(WHITE)}") + "/>"
         remedy = f"Write {shown} if nothing stands in it, or else </{name}> {place}."
     elif first is not None and one.element is not None:
         child = one.element.children[first]
-        remedy = f"Write </{name}> before <{shortened(child.name)}> in line {child.span.line}."
+        remedy = f"Write </{name}> before <{excerpt(child.name)}> in line {child.span.line}."
     source.fault(
         FaultKind.UNCLOSED,
         tag.at,
@@ -237,9 +237,9 @@ def _note_unclosed(source: Source, one: OpenElement, end: EndTag, first: int | N
 
 def _note_end_of_file(source: Source, open_elements: list[OpenElement]) -> None:
     inner = open_elements[: -_NAMED - 1 : -1]
-    names = ", ".join(f"<{shortened(one.name)}>" for one in inner)
+    names = ", ".join(f"<{excerpt(one.name)}>" for one in inner)
     more = len(open_elements) - len(inner)
-    ends = "".join(f"</{shortened(one.name)}>" for one in inner) + ("..." if more else "")
+    ends = "".join(f"</{excerpt(one.name)}>" for one in inner) + ("..." if more else "")
     verb = "is" if len(open_elements) == 1 else "are"
     source.fault(
         FaultKind.UNCLOSED,

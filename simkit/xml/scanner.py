@@ -12,8 +12,8 @@ from simkit.xml.letters import (
     SPACE,
     WHITE,
     Pattern,
+    excerpt,
     replace_references,
-    shortened,
     spoken,
 )
 from simkit.xml.sections import (
@@ -195,8 +195,8 @@ class _Scanner:
             self._fault(
                 at,
                 spaced.end(),
-                what=f"there is white space between < and {shortened(spaced[1])}",
-                remedy=f"Write <{shortened(spaced[1])} without the space.",
+                what=f"there is white space between < and {excerpt(spaced[1])}",
+                remedy=f"Write <{excerpt(spaced[1])} without the space.",
             )
             yield self._start_tag(spaced.start(1))
             return

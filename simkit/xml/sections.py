@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from simkit.xml.document import FaultKind
-from simkit.xml.letters import NAME, SPACE, WHITE, Pattern, shortened
+from simkit.xml.letters import NAME, SPACE, WHITE, Pattern, excerpt
 from simkit.xml.source import Source
 
 _INSTRUCTION = Pattern(rf"<\?({NAME})(?:{SPACE}|(?=\?>))")
@@ -107,7 +107,7 @@ def read_instruction(source: Source, at: int) -> int:
             FaultKind.UNCLOSED_SECTION,
             at,
             at + 2,
-            what=f"{shortened(source.text[at : at + 30])} has no ?> at its end",
+            what=f"{excerpt(source.text[at : at + 30])} has no ?> at its end",
             remedy="Write ?> at its end, or delete it.",
         )
     return end + 2 if end >= 0 else end_of_line_or_bracket(source, at)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from simkit.xml.attributes import AttributeList
 from simkit.xml.document import Attribute, FaultKind
-from simkit.xml.letters import NAME, SPACE, WHITE, Pattern, shortened
+from simkit.xml.letters import NAME, SPACE, WHITE, Pattern, excerpt
 from simkit.xml.source import Source
 
 
@@ -111,7 +111,7 @@ def _faulty_end(source: Source, name: re.Match[str], attributes: AttributeList) 
         attributes.fault(
             at,
             slash.end(),
-            what=f"the tag <{shortened(name[0])}> ends with {shortened(slash[0])}, which is not />",
+            what=f"the tag <{excerpt(name[0])}> ends with {excerpt(slash[0])}, which is not />",
             remedy="Write />",
         )
         return _start_tag(name, attributes, slash.end(), is_closed=True)
@@ -130,7 +130,7 @@ def _end_of_file(source: Source, name: re.Match[str], attributes: AttributeList)
     attributes.fault(
         last,
         last + 1,
-        what=f"the file ends in the middle of the tag <{shortened(name[0])}>",
+        what=f"the file ends in the middle of the tag <{excerpt(name[0])}>",
         remedy="Write the rest of the tag, and the end tags of all that is open.",
         other=source.span(*name.span()),
     )
@@ -147,8 +147,8 @@ def _missing_bracket(source: Source, name: re.Match[str], attributes: AttributeL
     attributes.fault(
         last,
         last + 1,
-        what=f"the tag <{shortened(name[0])}> has no > at its end before {where}",
-        remedy=f"Write > behind {shortened(text[max(name.start(), last - 15) : last + 1])}"
+        what=f"the tag <{excerpt(name[0])}> has no > at its end before {where}",
+        remedy=f"Write > behind {excerpt(text[max(name.start(), last - 15) : last + 1])}"
         + ("" if text[last] == "/" else ", or /> if nothing stands in it."),
         other=source.span(name.start(), name.end()),
     )
@@ -177,15 +177,15 @@ def _faulty_end_tag(source: Source, at: int) -> EndTag:
         what, remedy = "this end tag has no name", "Write the name of the element that it closes."
     elif not found[3] and not rest:
         what, remedy = (
-            f"the end tag </{shortened(name)} has no > at its end",
-            f"Write </{shortened(name)}>",
+            f"the end tag </{excerpt(name)} has no > at its end",
+            f"Write </{excerpt(name)}>",
         )
     elif rest:
-        what = f"an end tag is only a name, but behind it stands {shortened(rest)}"
-        remedy = f"Write </{shortened(name)}>"
+        what = f"an end tag is only a name, but behind it stands {excerpt(rest)}"
+        remedy = f"Write </{excerpt(name)}>"
     else:
-        what = f"{shortened(found[0])} is not an end tag: it begins with </ and then the name, without a space"
-        remedy = f"Write </{shortened(name)}>"
+        what = f"{excerpt(found[0])} is not an end tag: it begins with </ and then the name, without a space"
+        remedy = f"Write </{excerpt(name)}>"
     source.fault(FaultKind.MALFORMED_TAG, at, max(at + 1, end), what=what, remedy=remedy)
     is_cut_off = not found[3] and source.find("<", end) < 0
     return EndTag(name="" if is_cut_off else name, at=at, end=end)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from simkit.errors import near_names
 from simkit.xml.document import Element, FaultKind, Span
-from simkit.xml.letters import WHITE, shortened
+from simkit.xml.letters import WHITE, excerpt
 from simkit.xml.repair import (
     OpenElement,
     is_twin,
@@ -209,7 +209,7 @@ class _Builder:
 
     def _note_stray(self, tag: EndTag) -> bool:
         """Say that an end tag closes nothing; returns whether the same stands right before it."""
-        source, name = self._source, shortened(tag.name)
+        source, name = self._source, excerpt(tag.name)
         before = self._closed_by.get(tag.name)
         what = f"</{name}> closes nothing: no <{name}> is open here"
         remedy = f"Delete it, or write <{name}> where the element is to begin."
@@ -230,8 +230,8 @@ class _Builder:
     # -- faults of the whole file
 
     def _note_second_root(self, tag: StartTag) -> None:
-        root = shortened(self.roots[0].name)
-        what = f"<{shortened(tag.name)}> stands behind the end of <{root}>, the root"
+        root = excerpt(self.roots[0].name)
+        what = f"<{excerpt(tag.name)}> stands behind the end of <{root}>, the root"
         remedy = f"Move it before </{root}>: a file has one root."
         self._once(FaultKind.SECOND_ROOT, tag.at, tag.at + len(tag.name), what, remedy)
 
