@@ -1,6 +1,6 @@
 """`simkit ...`: the command lines of a ROS book, with `simkit` in front.
 
-`main` finds a command in `simkit.commands.table`, runs it, and turns what goes wrong into one line; `sharing` is how
+`main` finds a command in `simkit.commands.table`, runs it, and turns what goes wrong into one line; `terminals` is how
 terminals have one simulation.
 """
 

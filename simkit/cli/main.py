@@ -96,16 +96,16 @@ def _do(entry: Entry, words: Sequence[str]) -> int:
     if entry.place is TerminalPlace.HOSTED:
         with coming_up() if _begins_shared_one(words) else contextlib.nullcontext():
             from simkit.cli import (
-                sharing,  # with the graph and all: more than a look at a message needs
+                terminals,  # with the graph and all: more than a look at a message needs
             )
 
-            return sharing.run_hosted(entry, words)
+            return terminals.run_hosted(entry, words)
     if words and words[0] in ("-h", "--help"):
         print(f"usage: simkit {entry.name} COMMAND [ARGUMENTS]\n\n{entry.summary}\n")
         return _show(entry.load()(Call(words=words)))
-    from simkit.cli import sharing
+    from simkit.cli import terminals
 
-    return sharing.elsewhere([entry.name, *words])
+    return terminals.elsewhere([entry.name, *words])
 
 
 def _begins_shared_one(words: Sequence[str]) -> bool:

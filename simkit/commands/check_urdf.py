@@ -145,10 +145,10 @@ def _text(diagnostics: Sequence[Diagnostic], *, whole: bool) -> str:
     if not diagnostics:
         return ""
     notes = [one for one in diagnostics if one.severity is Severity.NOTE and not whole]
-    told = [one for one in diagnostics if whole or one.severity is not Severity.NOTE]
+    shown = [one for one in diagnostics if whole or one.severity is not Severity.NOTE]
     more = " (--notes tells more)" if notes else ""
     layout = Layout.of(sys.stderr)
-    parts = [as_text(told, layout=layout)] if told else []
+    parts = [as_text(shown, layout=layout)] if shown else []
     if notes:
         parts.append("".join(as_text([_head(one)], layout=layout) for one in notes))
     return "\n".join(parts) + f"{count_text(diagnostics)}{more}\n"

@@ -99,7 +99,7 @@ class TopicEcho(TopicWatcher):
 
 
 class _Outline:
-    """A message whose arrays or strings are told by their size."""
+    """A message whose arrays or strings are shown by their size."""
 
     def __init__(self, message: Message, form: EchoForm) -> None:
         self.__slots__ = list(message.__slots__)

@@ -182,7 +182,7 @@ def how_to_name(name: str, packages: Iterable[Package], *, may_read: Callable[[P
     Args:
         name: The name as it was looked for, what could be replaced in it replaced.
         packages: The packages that are known.
-        may_read: Whether a file is within reach; of others not even that they are there is told.
+        may_read: Whether a file is within reach; of others the remedy does not even say that they exist.
     """
     packages = list(packages)
     path = Path(name)

@@ -148,7 +148,7 @@ def _wanted(node: PlannedNode) -> str | None:
         return None
     try:
         words = shlex.split(node.args)
-    except ValueError:  # a quotation mark that is not closed: told when the node starts
+    except ValueError:  # a quotation mark that is not closed: an error when the node starts
         return None
     if "-param" not in words[:-1]:
         return None

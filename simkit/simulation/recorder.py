@@ -92,7 +92,7 @@ class Recorder:
         topic: str | None = None,
         joints: Collection[str] | None = None,
     ) -> JointPlot:
-        """Position, velocity and effort of joints over virtual time, as far as they were told.
+        """Position, velocity and effort of joints over virtual time, as far as they were published.
 
         Args:
             recording: Of /joint_states, or what `record_model` has made, which has the efforts.

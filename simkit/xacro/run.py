@@ -21,7 +21,7 @@ TIMEOUT = 10.0
 MAX_BYTES = 10_000_000
 """Longest text that is taken."""
 MOST_LINES = 4
-"""So many lines of its complaint are told, and the last one."""
+"""So many lines of its complaint are shown, and the last one."""
 _NOISE = re.compile(r"<class '[\w.]+'>: | \[Errno \d+\] .*")
 
 
@@ -82,12 +82,12 @@ def run_xacro(arguments: Sequence[str], *, packages: PackagePath) -> XacroOutput
 def _complaint(messages: str) -> str:
     """What xacro says when it fails, in one line: what is wrong, and what it was doing."""
     lines = _NOISE.sub("", messages).split("Check that:")[0].splitlines()
-    told = [_once(line.strip().removeprefix("error:").strip()) for line in lines if line.strip()]
-    if told and not told[0]:
-        told[0] = "this is too much"  # memory has run out, and Python has no words for it
-    if len(told) > MOST_LINES + 1:
-        told[MOST_LINES:-1] = ["..."]
-    return ", ".join(told) or "xacro failed without a word"
+    parts = [_once(line.strip().removeprefix("error:").strip()) for line in lines if line.strip()]
+    if parts and not parts[0]:
+        parts[0] = "this is too much"  # memory has run out, and Python has no words for it
+    if len(parts) > MOST_LINES + 1:
+        parts[MOST_LINES:-1] = ["..."]
+    return ", ".join(parts) or "xacro failed without a word"
 
 
 def _once(line: str) -> str:
