@@ -12,7 +12,6 @@ from simkit.tf.cache import LATEST
 from simkit.tf.errors import InvalidArgumentException, LookupException, TransformException
 from simkit.tf.frame_tree import NO_FRAME, FrameTable, as_lines, latest_common_time
 from simkit.tf.path import StampedTransform, frames_between, transform_between
-from simkit.tf.transformable import TransformableRequests
 
 DEFAULT_CACHE_TIME: Final = 10_000_000_000
 "How long a buffer remembers [ns]."
@@ -29,9 +28,6 @@ class BufferCore:
         cache_time_ns: How long a moving frame is remembered [ns].
         on_warning: Is given tf's sentence for each transform or name that is refused.
 
-    Attributes:
-        requests: Who wants to be called as soon as a lookup answers.
-
     Source:
         tf2 `BufferCore`, Noetic. Stamps are exact to 1 ns, as in C++.
     """
@@ -44,7 +40,6 @@ class BufferCore:
         self.cache_time = cache_time_ns
         self.on_warning = on_warning
         self.frames = FrameTable(cache_time_ns)
-        self.requests = TransformableRequests(self)
 
     def set_transform(
         self,
@@ -88,8 +83,6 @@ class BufferCore:
             )
             if not refusal:
                 self.frames.authorities[self.frames.number(child)] = authority
-                if self.requests.waiting:
-                    self.requests.test()
                 return True
             faults = [
                 f"{refusal} for frame {child} (parent {parent}) at time {stamp / 1e9:f} "
