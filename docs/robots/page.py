@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from facts import RobotFacts
 
-from simkit.diagnostics import Severity, summary
+from simkit.diagnostics import Severity, count_text
 from simkit.urdf import Box, Collision, Cylinder, Joint, Link, Sphere, Visual
 from simkit.urdf.tree_text import motion_text, number_text, pose_text
 
@@ -61,7 +61,7 @@ def _fact_rows(facts: RobotFacts) -> Iterable[Row]:
 def _finds(facts: RobotFacts) -> str:
     worse = [one for one in facts.finds if one.severity is not Severity.NOTE]
     if worse:
-        raise SystemExit(f"{facts.path}: check_urdf finds {summary(worse)}")
+        raise SystemExit(f"{facts.path}: check_urdf finds {count_text(worse)}")
     notes = "; ".join(f"{one.rule}, {one.what}" for one in facts.finds)
     return "no errors, no warnings" + (f"; to be known: {notes}" if notes else "")
 
