@@ -111,9 +111,8 @@ def start(options: argparse.Namespace) -> int:
         started = start_exercise(root, exercise_id)
         for message in started.messages:
             print(message)
-    if options.id == "all":
-        for message in (*start_lectures(root), *start_page_of(root)):
-            print(message)
+    for message in (*start_lectures(root), *start_page_of(root)):  # exercises link to them
+        print(message)
     return OK
 
 
