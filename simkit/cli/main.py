@@ -18,7 +18,6 @@ from simkit.commands.errors import (
 )
 from simkit.commands.table import COMMANDS, Entry, TerminalPlace
 from simkit.errors import SimkitError, near_names
-from simkit.live.session import PATIENCE, coming_up, find_session
 
 _OWN_SIMULATION = ("--fast", "--for", "--seed")
 """Options after which a simulation is begun that nobody joins."""
@@ -94,6 +93,8 @@ def _do(entry: Entry, words: Sequence[str]) -> int:
     if entry.place is TerminalPlace.HERE:
         return _show(entry.load()(Call(words=words)))
     if entry.place is TerminalPlace.HOSTED:
+        from simkit.live.session import coming_up
+
         with coming_up() if _begins_shared_one(words) else contextlib.nullcontext():
             from simkit.cli import (
                 terminals,  # with the graph and all: more than a look at a message needs
@@ -110,6 +111,8 @@ def _do(entry: Entry, words: Sequence[str]) -> int:
 
 def _begins_shared_one(words: Sequence[str]) -> bool:
     """Whether a command that can begin a simulation will, for others to join."""
+    from simkit.live.session import PATIENCE, find_session
+
     own = any(word.partition("=")[0] in _OWN_SIMULATION for word in words)
     return not own and find_session(PATIENCE) is None
 

@@ -10,11 +10,13 @@ import argparse
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from simkit.commands.command import Answer, parsed
+from simkit.commands.rosrun import executables
 from simkit.commands.table import COMMANDS
 from simkit.commands.words import SHORTHANDS
 from simkit.errors import SimkitError
 from simkit.live.client import run_in_session
 from simkit.live.session import find_session
+from simkit.nodes import builtin_nodes
 from simkit.packages import PackagePath
 
 Candidates = Callable[[Sequence[str]], Iterable[str]]
@@ -59,23 +61,13 @@ def _begun(begun: str, names: Iterable[str]) -> list[str]:
 def _packages(before: Sequence[str]) -> Iterable[str]:
     if before:
         return []
-    return [*PackagePath().packages(), *(package for package, _ in _builtin())]
-
-
-def _builtin() -> list[tuple[str, str]]:
-    from simkit.nodes import builtin_nodes
-
-    return list(builtin_nodes())
+    return [*PackagePath().packages(), *(package for package, _ in builtin_nodes())]
 
 
 def _executables(before: Sequence[str]) -> Iterable[str]:
     if not before:
         return _packages(before)
-    if len(before) > 1:
-        return []
-    known = [executable for package, executable in _builtin() if package == before[0]]
-    package = PackagePath().packages().get(before[0])
-    return [*known, *(package.executables() if package else [])]
+    return executables(PackagePath(), before[0]) if len(before) == 1 else []
 
 
 def _launch_files(before: Sequence[str]) -> Iterable[str]:
@@ -148,15 +140,21 @@ _FOLLOWING: Mapping[str, Candidates] = {
     "rosrun": _executables,
     "roslaunch": _launch_files,
     **dict.fromkeys(("roscd", "rosls", "rosed", "rosversion"), _packages),
-    "rospack": _commands("rospack", {"list": _nothing, "find": _packages}),
+    "rospack": _commands(
+        "rospack",
+        {
+            "list": _nothing,
+            **dict.fromkeys(("find", "depends", "depends1", "depends-on"), _packages),
+        },
+    ),
     **{
-        tool: _commands(tool, {**dict.fromkeys(("show", "md5"), types), "list": _nothing})
+        tool: _commands(tool, {**dict.fromkeys(("show", "info", "md5"), types), "list": _nothing})
         for tool, types in _TYPES.items()
     },
     "rostopic": _commands(
         "rostopic",
         {
-            **dict.fromkeys(("echo", "hz", "info", "type"), _TOPICS),
+            **dict.fromkeys(("bw", "delay", "echo", "hz", "info", "type"), _TOPICS),
             "find": _TYPES["rosmsg"],
             "pub": _each(_live("rostopic", "list"), _type_of_topic),
         },

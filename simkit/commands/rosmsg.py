@@ -52,7 +52,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Sub-commands show, list, md5, package, packages."""
     kind = _KINDS[parser.get_default("command")]
     does = parser.add_subparsers(dest="does", metavar="COMMAND", required=True, prog=parser.prog)
-    show = does.add_parser("show", help=f"show the fields of a {kind.word}")
+    show = does.add_parser("show", aliases=["info"], help=f"show the fields of a {kind.word}")
     show.add_argument("-r", "--raw", action="store_true", help="the text as written, with comments")
     does.add_parser("list", help=f"list all {kind.word}s")
     md5 = does.add_parser("md5", help=f"show the MD5 sum of a {kind.word}")

@@ -1,6 +1,6 @@
 """`simkit rospack`: which packages there are, and where; `simkit rosversion`.
 
-Source: rospack of ROS Noetic: `list` prints name and folder, `find` the folder.
+Source: rospack of ROS Noetic: `list` prints name and folder, `find` the folder, `depends` the deepest packages first.
 rosversion prints `<unversioned>` for a package without a version.
 """
 
@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import re
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from simkit import msgs
@@ -22,19 +23,21 @@ ROS_VERSION = "1.17.4"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Sub-commands list and find."""
+    """Sub-commands list, find, and those on what depends on what."""
     parser.epilog = (
         f"Packages are looked for below this folder and in {' and '.join(PATH_VARIABLES)}."
     )
     does = parser.add_subparsers(dest="does", metavar="COMMAND", required=True, prog=parser.prog)
     does.add_parser("list", help="list all packages and their folders")
-    find = does.add_parser("find", help="show the folder of a package")
-    find.add_argument("package", metavar="PACKAGE")
+    for name, (help_text, _) in _OF_A_PACKAGE.items():
+        of_a_package = does.add_parser(name, help=help_text)
+        of_a_package.add_argument("package", metavar="PACKAGE")
 
 
 def _answer(arguments: argparse.Namespace) -> Answer:
-    if arguments.does == "find":
-        yield f"{package_folder(arguments.package)}\n"
+    if arguments.does in _OF_A_PACKAGE:
+        _, answer = _OF_A_PACKAGE[arguments.does]
+        yield "".join(f"{line}\n" for line in answer(arguments.package))
         return 0
     places = {name: str(found.folder) for name, found in PackagePath().packages().items()}
     for package in _builtin_packages():
@@ -42,6 +45,33 @@ def _answer(arguments: argparse.Namespace) -> Answer:
     for name, place in sorted(places.items()):
         yield f"{name} {place}\n"
     return 0
+
+
+def _direct(package: str) -> list[str]:
+    """The packages that a package depends on, as its package.xml lists them."""
+    manifest = package_folder(package) / "package.xml"
+    return sorted(set(_DEPENDS.findall(_COMMENT.sub("", manifest.read_text(errors="replace")))))
+
+
+def _all(package: str) -> list[str]:
+    """The packages that a package depends on, and those that they depend on, the deepest first."""
+    known = PackagePath().packages()
+    ordered: list[str] = []
+
+    def visit(name: str, above: tuple[str, ...]) -> None:
+        for needed in _direct(name):
+            if needed not in ordered and needed not in above:
+                if needed in known:
+                    visit(needed, (*above, needed))
+                ordered.append(needed)
+
+    visit(package, (package,))
+    return ordered
+
+
+def _users(package: str) -> list[str]:
+    """The packages that depend on a package, directly or not."""
+    return sorted(name for name in PackagePath().packages() if package in _all(name))
 
 
 def _builtin_packages() -> list[str]:
@@ -87,6 +117,15 @@ def _version(arguments: argparse.Namespace) -> Answer:
     yield f"{found[1] if found else '<unversioned>'}\n"
     return 0
 
+
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_DEPENDS = re.compile(r"<(?:build_|build_export_|exec_|run_)?depend\b[^>]*>\s*([^<\s]+)\s*<")
+_OF_A_PACKAGE: Mapping[str, tuple[str, Callable[[str], list[str]]]] = {
+    "find": ("show the folder of a package", lambda package: [str(package_folder(package))]),
+    "depends": ("list what a package depends on, directly or not", _all),
+    "depends1": ("list what a package depends on directly", _direct),
+    "depends-on": ("list the packages that depend on a package", _users),
+}
 
 run = parsed("rospack", add_arguments, _answer)
 run_rosversion = parsed("rosversion", add_package, _version)

@@ -21,6 +21,7 @@ from simkit.nodes import builtin_nodes
 
 if TYPE_CHECKING:
     from simkit.launch.process import NodeHandle
+    from simkit.packages import PackagePath
     from simkit.simulation import Simulation
 
 LAST_WORDS = 2.5
@@ -66,7 +67,12 @@ def _seconds(text: str) -> float:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Package, executable, and the node's own arguments."""
     parser.add_argument("package", metavar="PACKAGE", help="e.g. turtlesim")
-    parser.add_argument("executable", metavar="EXECUTABLE", help="e.g. turtlesim_node or talker.py")
+    parser.add_argument(
+        "executable",
+        metavar="EXECUTABLE",
+        nargs="?",
+        help="e.g. turtlesim_node or talker.py; without it, those of the package are listed",
+    )
     parser.add_argument("words", metavar="ARGUMENTS", nargs=argparse.REMAINDER)
 
 
@@ -77,7 +83,8 @@ def own_words(arguments: argparse.Namespace, rest: list[str]) -> list[str]:
         arguments: What the parser has found.
         rest: What stands behind the executable, without options of ours.
     """
-    return [arguments.package, arguments.executable, *rest]
+    executable = [] if arguments.executable is None else [arguments.executable]
+    return [arguments.package, *executable, *rest]
 
 
 def run(call: Call) -> Answer:
@@ -89,8 +96,11 @@ def run(call: Call) -> Answer:
     in_background = call.leaves_nodes and words[-1:] == ["&"]
     if in_background:
         words.pop()
-    if len(words) < 2:
+    if not words:
         raise UsageError("Usage: rosrun PACKAGE EXECUTABLE [ARGUMENTS]")
+    if len(words) == 1:
+        yield "".join(f"{name}\n" for name in executables(call.sim.packages, words[0]))
+        return 0
     output = NodeOutput(call.sim, lambda: [(node.name, node)], form=_log_line)
     node = call.sim.rosrun(*words)
     call.show_window(node)
@@ -110,6 +120,22 @@ def run(call: Call) -> Answer:
     finally:
         if ends:
             node.shutdown()
+
+
+def executables(packages: PackagePath, package: str) -> list[str]:
+    """What `rosrun` can start of a package, sorted.
+
+    Args:
+        packages: Where packages are.
+        package: Name of the package.
+
+    Raises:
+        UnknownNameError: There is no such package.
+    """
+    builtin = {executable for name, executable in builtin_nodes() if name == package}
+    if builtin and package not in packages.packages():
+        return sorted(builtin)
+    return sorted({*builtin, *packages.find(package).executables()})
 
 
 def _watch_seconds(words: Sequence[str]) -> float | None:

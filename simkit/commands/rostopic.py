@@ -9,7 +9,7 @@ from collections.abc import Callable, Generator
 from functools import partial
 from typing import TypeVar
 
-from simkit.commands.command import Answer, Call, Wait, subcommands
+from simkit.commands.command import Answer, Call, Command, Wait, subcommands
 from simkit.commands.errors import ToolError
 from simkit.commands.graph_facts import (
     address,
@@ -21,7 +21,7 @@ from simkit.commands.graph_facts import (
 )
 from simkit.commands.parser import ArgumentParser
 from simkit.commands.topic_echo import start_echo
-from simkit.commands.topic_programs import TopicProgram, start_hz, start_pub
+from simkit.commands.topic_programs import GAUGES, TopicProgram, start_pub, start_statistics
 from simkit.commands.topic_search import find_topic, similar_topic
 from simkit.graph import Graph
 from simkit.graph.names import free_name
@@ -117,9 +117,11 @@ def echo_command(call: Call) -> Answer:
         raise ToolError(_silence(call.graph, echo.words, call.bounds.seconds))
 
 
-def hz_command(call: Call) -> Answer:
-    """`rostopic hz`."""
-    yield from _run(call, start_hz)
+def _statistics(command: str) -> Command:
+    def run(call: Call) -> Answer:
+        yield from _run(call, partial(start_statistics, command=command))
+
+    return run
 
 
 def pub_command(call: Call) -> Answer:
@@ -203,9 +205,9 @@ def _topic(call: Call, command: str) -> str:
 
 
 COMMANDS = {
+    **{command: _statistics(command) for command in GAUGES},
     "echo": echo_command,
     "find": find_command,
-    "hz": hz_command,
     "info": info_command,
     "list": list_command,
     "pub": pub_command,

@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 
 from simkit.commands.errors import ToolError
 from simkit.commands.topic_echo import start_echo
-from simkit.commands.topic_programs import TopicProgram, start_hz, start_pub
+from simkit.commands.topic_programs import GAUGES, TopicProgram, start_pub, start_statistics
 from simkit.graph import Node
 from simkit.nodes.program import Program
 
 COMMANDS: Mapping[str, Callable[..., TopicProgram]] = {
     "pub": start_pub,
     "echo": start_echo,
-    "hz": start_hz,
+    **{name: partial(start_statistics, command=name) for name in GAUGES},
 }
 """What goes on, and so can be a node."""
 
 
 class RostopicProgram(Program):
-    """`rostopic pub`, `echo` or `hz`, until it is done or killed.
+    """`rostopic pub`, `echo`, `hz`, `bw` or `delay`, until it is done or killed.
 
     Args:
         node: Its place in the graph.

@@ -53,7 +53,7 @@ def test_topics_and_their_types_are_those_of_the_running_simulation(monkeypatch)
     answers = {("rostopic", "list"): "/pose\n/cmd_vel\n", ("rostopic", "type", "/pose"): "a/Pose\n"}
     monkeypatch.setattr(completion, "find_session", lambda: "session")
     monkeypatch.setattr(
-        completion, "call", lambda _session, words, show: show(answers[tuple(words)])
+        completion, "run_in_session", lambda _session, words, show: show(answers[tuple(words)])
     )
     assert completions(["rostopic", "pub", "/"]) == ["/cmd_vel", "/pose"]
     assert completions(["rostopic", "pub", "-r", "/pose", ""]) == ["a/Pose"]

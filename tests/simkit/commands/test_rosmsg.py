@@ -95,3 +95,7 @@ def test_nothing_heavy_is_imported():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout == TWIST + "[]\n"
+
+
+def test_info_is_show(simkit):
+    assert simkit("rosmsg", "info", "Pose2D") == simkit("rosmsg", "show", "Pose2D")

@@ -49,3 +49,17 @@ def test_packages_of_ros_package_path_are_found_after_those_of_simkit(simkit, pa
     monkeypatch.chdir("/")
     monkeypatch.setenv("ROS_PACKAGE_PATH", str(package.folder))
     assert simkit("rospack", "find", "play") == (0, f"{package.folder / 'play'}\n", "")
+
+
+def test_what_depends_on_what(simkit, package):
+    for name, needs in (("arm", "hand rospy"), ("hand", "finger arm"), ("finger", "")):
+        folder = package.folder / name
+        folder.mkdir()
+        depends = "".join(f"<exec_depend>{need}</exec_depend>" for need in needs.split())
+        (folder / "package.xml").write_text(
+            f"<package><name>{name}</name><!-- <depend>dream</depend> -->{depends}</package>"
+        )
+    assert simkit("rospack", "depends1", "arm") == (0, "hand\nrospy\n", "")
+    assert simkit("rospack", "depends", "arm") == (0, "finger\nhand\nrospy\n", "")
+    assert simkit("rospack", "depends-on", "finger") == (0, "arm\nhand\n", "")
+    assert "did you mean 'hand'" in simkit("rospack", "depends", "hnad")[2]

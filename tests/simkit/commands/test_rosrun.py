@@ -95,7 +95,6 @@ def test_a_node_that_waits_for_ever_is_not_waited_for_in_a_hurry(simkit, workspa
         (("play", "tiker.py"), 1, "did you mean 'ticker.py'"),
         (("palyy", "ticker.py"), 1, "did you mean 'play'"),
         (("turtlesim", "turtlesim_nod"), 1, "did you mean 'turtlesim_node'"),
-        (("play",), 2, "EXECUTABLE"),
         (("play", "ticker.py", "--for", "soon"), 2, "'soon' is not a number of seconds"),
         (("--for", "-1", "play", "ticker.py"), 2, "'-1' is not a number of seconds"),
         (("--seed", "x", "play", "ticker.py"), 2, "--seed"),
@@ -192,3 +191,12 @@ def test_without_a_simulation_the_tools_say_how_to_get_one(simkit, tool, tmp_pat
     # what a host that was killed leaves behind
     (tmp_path / "session.json").write_text('{"port": 1, "token": "x", "pid": 1}')
     assert simkit(tool, "list")[0] == 1
+
+
+def test_without_an_executable_those_of_the_package_are_listed(simkit, workspace):
+    assert simkit("rosrun", "play") == (0, "ticker.py\n", "")
+    code, out, _ = simkit("rosrun", "turtlesim")
+    assert (code, out.split()) == (
+        0,
+        ["draw_square", "mimic", "turtle_teleop_key", "turtlesim_node"],
+    )

@@ -1,10 +1,12 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
 
-from simkit.msgs import message_class
+from simkit.commands.topic_programs import bandwidth_text
+from simkit.msgs import Duration, message_class
 
 TWIST = "geometry_msgs/Twist"
 
@@ -85,7 +87,7 @@ def test_type_and_find(command):
         (["info"], "the following arguments are required: topic", 2),
         (["info", "bad name"], "ERROR: 'bad name' is not a legal name", 1),
         (["ech", "/x"], "rostopic has no command 'ech'; did you mean echo?", 64),
-        ([], "rostopic needs a command: echo, find, hz, info, list, pub, type", 64),
+        ([], "rostopic needs a command: hz, bw, delay, echo, find, info, list, pub, type", 64),
     ],
 )
 def test_what_is_wrong(refusal, words, text, code):
@@ -224,6 +226,46 @@ def test_hz_of_uneven_gaps_and_a_window(sim, command):
     assert "window: 10\n" in command("rostopic", "hz", "-w", "10", "/turtle1/pose", seconds=1.05)
 
 
+def test_bandwidth_counts_the_bytes_of_the_wire(command):
+    lines = command("rostopic", "bw", "/turtle1/pose", seconds=1.05).splitlines()
+    assert lines[0] == "subscribed to [/turtle1/pose]"
+    # A pose is five float32, 62.5 times a second.
+    assert re.fullmatch(r"average: 1\.2\dKB/s", lines[1])
+    assert re.fullmatch(r"\tmean: 0\.02KB min: 0\.02KB max: 0\.02KB window: 6\d", lines[2])
+
+
+@pytest.mark.parametrize(
+    ("sizes", "span", "text"),
+    [
+        ([8.0, 8.0], 2.0, "average: 8.00B/s\n\tmean: 8.00B min: 8.00B max: 8.00B window: 2\n"),
+        ([1e6, 3e6], 1.0, "average: 4.00MB/s\n\tmean: 2.00MB min: 1.00MB max: 3.00MB window: 2\n"),
+    ],
+)
+def test_bandwidth_in_one_unit(sizes, span, text):
+    assert bandwidth_text(sizes, span) == text
+
+
+def test_delay_is_the_age_of_the_header(sim, command):
+    node = sim.graph.create_node("/late")
+    publisher = node.advertise("/late", message_class("geometry_msgs/PoseStamped"))
+
+    def publish():
+        message = message_class("geometry_msgs/PoseStamped")()
+        message.header.stamp = sim.now - Duration.from_nsec(250_000_000)
+        publisher.publish(message)
+
+    node.create_timer(Duration.from_nsec(100_000_000), publish)
+    lines = command("rostopic", "delay", "/late", seconds=1.05).splitlines()
+    assert lines[1:] == [
+        "average delay: 0.250",
+        "\tmin: 0.250s max: 0.250s std dev: 0.00000s window: 9",
+    ]
+
+
+def test_delay_needs_a_header(refusal):
+    assert "msg does not have header" in refusal("rostopic", "delay", "/turtle1/pose")[0]
+
+
 # -- pub
 
 
@@ -352,7 +394,7 @@ def test_as_a_node_for_launch_files(sim):
 @pytest.mark.parametrize(
     ("words", "text"),
     [
-        (["list"], "as a node, rostopic can pub, echo, hz"),
+        (["list"], "as a node, rostopic can pub, echo, hz, bw, delay"),
         (["pub", "/x"], "the following arguments are required: type"),
         (["echo", "/turtle1/pose/q"], "no field named [/q]"),
     ],
