@@ -13,6 +13,8 @@ ROBOT = "hello_ros_robot_1.urdf"
 LAUNCH = "urdf_launch_1.launch"
 SIGNPOST = "signpost.urdf"
 KINDS = ("box", "cylinder", "sphere", "mesh")
+PLAUSIBLE = (0.001, 10.0)
+"""Radius and length of a base that is to be seen, also where it is not the one asked for [m]."""
 
 
 @pytest.fixture
@@ -68,7 +70,7 @@ def test_the_base_has_your_size(robots, submission):
 @after("test_check_urdf_takes_your_robot")
 def test_the_base_has_your_colour(robots, submission):
     """base_link has the colour that base_of gives for your name."""
-    material = cylinder_of(robots.robot(ROBOT), "base_link")[0].material
+    material = visible_base(robots.robot(ROBOT))[0].material
     expect(
         material is not None and material.rgba is not None,
         "base_link has no colour",
@@ -88,7 +90,7 @@ def test_the_base_has_your_colour(robots, submission):
 def test_the_base_stands_on_the_ground(sim, robots):
     """The cylinder stands upright, with its lower end at height 0 and its middle above the origin."""
     robot = robots.robot(ROBOT)
-    _, shape = cylinder_of(robot, "base_link")
+    _, shape = visible_base(robot)
     ends = MovedRobot(sim, robot, robots.text(ROBOT)).ends("base_link")
     lower, upper = sorted(ends, key=lambda end: end[2])
     expect_close(
@@ -111,6 +113,19 @@ def test_the_base_stands_on_the_ground(sim, robots):
     )
 
 
+def visible_base(robot):
+    """The cylinder of base_link, with its visual; one that nobody could see has neither colour nor height."""
+    visual, shape = cylinder_of(robot, "base_link")
+    low, high = PLAUSIBLE
+    for what, found in (("radius", shape.radius), ("length", shape.length)):
+        expect(
+            low <= found <= high,
+            f"the {what} of the base is {found:g} m, where {low:g} to {high:g} m can be seen",
+            hint="base_of gives the numbers for your name, in metres.",
+        )
+    return visual, shape
+
+
 @points(2)
 def test_the_launch_file_sets_the_description(sim, roslaunch, robots):
     """The launch file puts the text of hello_ros_robot_1.urdf into the parameter robot_description."""
@@ -126,7 +141,12 @@ def test_the_launch_file_sets_the_description(sim, roslaunch, robots):
 
 
 def expect_the_text(found, wanted):
-    """The parameter holds the text of the file."""
+    """The parameter holds the text of the file, and that text is a robot."""
+    expect(
+        "<robot" in wanted,
+        f"{ROBOT} contains no <robot>: there is nothing to put on the parameter server yet",
+        hint="Write your robot first, and run its cell. Then launch again.",
+    )
     words = str(found).split()
     if words == wanted.split():
         return
