@@ -9,11 +9,11 @@ from grader.checks.answers import given_answer, words_of
 from grader.checks.nodes import require_handed_in
 from grader.checks.robots import RobotFiles, expect_chain, expect_silver_cylinder
 from grader.checks.worlds import place_of
-from oracles.driven_arm import started_arm
+from oracles.driven_arm import COMMAND, started_arm
 from oracles.folding_arm import LOWER, elbow_and_tip
 from oracles.given_arm import given_arm
 from oracles.moved_robot import MovedRobot
-from oracles.trajectories import Rules, watch
+from oracles.trajectories import Rules, expect_sound, watch
 from oracles.weights import expect_collision_as_visual, expect_cylinder_weight
 from simkit.urdf import JointType
 
@@ -22,6 +22,8 @@ CONTROLLERS = "controllers_simple.yaml"
 LAUNCH = "spawn_gazebo_2.launch"
 SCRIPT = "random_trajectories.py"
 MODEL = "hello_ros_robot"
+AGAIN = "random_trajectories_again"
+"""Name of the node at its second start, which gives it another seed."""
 JOINTS = ("hip", "shoulder", "elbow")
 RULES = Rules(
     limits={"hip": (-1.5, 1.5), "shoulder": (-1.5, 0.0), "elbow": (0.0, 1.5)},
@@ -201,7 +203,7 @@ def test_joint_states_and_tf_tell_of_all_joints(sim, launched, rng):
 
 @points(1)
 def test_the_node_sends_random_trajectories(sim, run_node):
-    """Every 3 s the node sends a new trajectory, within the limits, and the arm follows it."""
+    """Every 3 s the node sends a new trajectory, within the limits, and the arm follows it; each start sends others."""
     arm = given_arm(sim, *JOINTS, model=MODEL)
     node = run_node(SCRIPT)
     sent = watch(arm, 6.1, RULES)
@@ -218,6 +220,23 @@ def test_the_node_sends_random_trajectories(sim, run_node):
             f"{name} is sent to the same angle twice",
             hint="Draw a new random number for every joint, in every point of every trajectory.",
         )
+    node.shutdown()
+    heard = sim.record({COMMAND: "trajectory_msgs/JointTrajectory"})
+    run_node(SCRIPT, f"__name:={AGAIN}")  # another start draws other numbers
+    sim.run_until(lambda: heard[COMMAND], 3.0)
+    expect(
+        heard[COMMAND],
+        "started a second time, the node sends nothing within 3 s",
+        hint="Publish as soon as the controller subscribes, at every start of the node.",
+    )
+    end = expect_sound(heard[COMMAND][0][1], RULES)
+    same = [name for name in JOINTS if round(end[name], 4) == round(ends[0][name], 4)]
+    expect(
+        not same,
+        f"started a second time, the node sends {', '.join(same)} to the same angle as the first time",
+        hint="Draw the numbers with random.uniform while the node runs. A list of your own, or a fixed random.seed, gives "
+        "the same sequence at every start.",
+    )
 
 
 @points(1)
