@@ -21,8 +21,9 @@ from simkit.commands.graph_facts import (
 )
 from simkit.commands.parser import ArgumentParser
 from simkit.commands.topic_echo import start_echo
-from simkit.commands.topic_programs import GAUGES, TopicProgram, start_pub, start_statistics
+from simkit.commands.topic_programs import TopicProgram, start_pub
 from simkit.commands.topic_search import find_topic, similar_topic
+from simkit.commands.topic_statistics import GAUGES, start_statistics
 from simkit.graph import Graph
 from simkit.graph.names import free_name
 

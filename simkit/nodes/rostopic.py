@@ -7,7 +7,8 @@ from functools import partial
 
 from simkit.commands.errors import ToolError
 from simkit.commands.topic_echo import start_echo
-from simkit.commands.topic_programs import GAUGES, TopicProgram, start_pub, start_statistics
+from simkit.commands.topic_programs import TopicProgram, start_pub
+from simkit.commands.topic_statistics import GAUGES, start_statistics
 from simkit.graph import Node
 from simkit.nodes.program import Program
 

@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from simkit.commands.topic_programs import bandwidth_text
+from simkit.commands.topic_statistics import bandwidth_text
 from simkit.msgs import Duration, message_class
 
 TWIST = "geometry_msgs/Twist"
