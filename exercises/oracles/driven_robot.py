@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from grader.checks.rotations import Point
 from grader.checks.worlds import Solid, place_of, solid_of, spawned_robot
@@ -12,6 +12,7 @@ from grader.errors import CheckFailed
 from simkit import Simulation
 from simkit.gazebo import Spawned
 from simkit.graph import Node
+from simkit.msgs import message_class
 from simkit.physics import Model
 from simkit.urdf import Robot
 
@@ -111,6 +112,28 @@ class DrivenRobot:
         start = self.stand
         self._sim.run(seconds)
         return self.stand.seen_from(start)
+
+    def hold_up(self, seconds: float) -> None:
+        """Answer each command with 0, for so long [s]; then the last one holds again.
+
+        Both odometries see it, the one from the wheels too; a script that counts time does not.
+        """
+        twist = message_class("geometry_msgs/Twist")
+        held = self._sim.latest("/cmd_vel")
+        node = self._sim.graph.create_node("/hold_up")
+        brake = node.advertise("/cmd_vel", twist)
+
+        def on_command(command: Any) -> None:
+            nonlocal held
+            if command.linear.x or command.angular.z:
+                held = command
+                brake.publish(twist())
+
+        node.subscribe("/cmd_vel", twist, on_command)
+        brake.publish(twist())
+        self._sim.run(seconds)
+        node.shutdown()
+        self.command(held.linear.x, held.angular.z)
 
     def drag(self, *wheels: str) -> float:
         """Friction on the parts that are not wheels, as a share of the weight on them; now."""
