@@ -1,11 +1,11 @@
-"""Exercise 3.3, hidden checks: the other way round, jumps, and a turtle right behind."""
+"""Exercise 3.3, hidden checks: the other way round, jumps, a turtle right behind, and one that only tf knows."""
 
 import math
 
 import pytest
 
 from grader.checks import expect, points
-from grader.checks.given import broadcast_turtle
+from grader.checks.given import broadcast_frame, broadcast_turtle
 from oracles.pursuit import come_near, drive, gap, samples, usual_bearing
 
 SCRIPT = "turtle_tf_listener.py"
@@ -17,13 +17,18 @@ def chase(sim, run_node):
     sim.rosrun("turtlesim", "turtlesim_node")
     for turtle in ("turtle1", "turtle2"):
         broadcast_turtle(sim, turtle)
+    start(sim, run_node)
+    return sim
+
+
+def start(sim, run_node):
+    """Start the student's node, and wait for turtle2."""
     run_node(SCRIPT)
     expect(
         sim.run_until(lambda: "/turtle2/pose" in sim.topics() and sim.latest("/turtle2/pose"), 2.0),
         "there is no turtle2 after 2 s",
         hint="Wait for the service spawn, then call it with 4, 2, 0 and 'turtle2'.",
     )
-    return sim
 
 
 @points(1)
@@ -81,3 +86,24 @@ def test_it_turns_around(chase, rng):
             f"in 15 s turtle2 came no nearer than {distance:.1f} m to a turtle that was behind it",
             hint="Use atan2(y, x), not atan(y / x): only atan2 knows what lies behind.",
         )
+
+
+@points(1)
+def test_it_goes_by_tf(sim, run_node, rng):
+    """When tf has turtle1 elsewhere than turtlesim draws it, turtle2 goes to the place that tf has."""
+    sim.rosrun("turtlesim", "turtlesim_node")
+    broadcast_turtle(sim, "turtle2")
+    place = (rng.uniform(1.5, 3.0), rng.uniform(8.0, 9.5))
+    broadcast_frame(sim, "turtle1", "world", translation=(*place, 0.0))
+    start(sim, run_node)
+
+    def away():
+        two = sim.latest("/turtle2/pose")
+        return math.dist((two.x, two.y), place)
+
+    sim.run_until(lambda: away() < 1.0, 15.0)
+    expect(
+        away() < 1.0,
+        f"the frame turtle1 was not where the turtle was drawn; after 15 s turtle2 was {away():.1f} m from the frame",
+        hint="Take the place of turtle1 from tf, with lookupTransform('turtle2', 'turtle1', ...), not from its topic pose.",
+    )
