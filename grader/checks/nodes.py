@@ -60,6 +60,10 @@ class NodeWatch:
         refusal = self.refusal()
         return Trouble(status=Status.FAILED, message=refusal) if refusal else None
 
+    def started(self) -> str:
+        """The first script or launch file that was started; empty if there is none."""
+        return next((name for name, _ in (*self.launches, *self.nodes)), "")
+
     def refusal(self) -> str:
         """What a node or launch file was refused first, as a sentence; empty if nothing."""
         refused = [

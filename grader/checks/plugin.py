@@ -86,7 +86,8 @@ def pytest_runtest_makereport(
         log = log_of(watch.simulation) if shows_log else ""
         result = _result(item, context, verdict, log=log)
         item.config.stash[_RESULTS][item.name] = result
-        context.report({"event": "result", "index": item.stash[_INDEX], "result": result.to_json()})
+        event = {"event": "result", "index": item.stash[_INDEX], "result": result.to_json()}
+        context.report(event | ({"fault": verdict.fault} if verdict.fault else {}))
     return report
 
 

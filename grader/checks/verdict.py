@@ -22,6 +22,8 @@ class Verdict:
     status: Status
     message: str = ""
     hint: str = ""
+    fault: str = ""
+    """What to say in its place if the reference solution fails in this check, too: the fault is then ours."""
 
 
 def verdict_of(
@@ -32,6 +34,9 @@ def verdict_of(
     A check that passed has passed, whatever its nodes did; what they were refused is said. One
     that did not begins with what happened in a node of the student, since that is the cause, and
     what was expected the effect.
+
+    An error of the check itself is the student's where a node or launch file of theirs had run: the
+    check met a graph that no solution leaves. What grades can ask the reference solution about it.
 
     Args:
         error: What the check raised; None if it returned.
@@ -50,7 +55,16 @@ def verdict_of(
         return _failed(error, trouble, watch.early_ends())
     if trouble is not None and not for_author:
         return Verdict(status=trouble.status, message=bounded(trouble.message))
-    return Verdict(status=Status.INFRASTRUCTURE, message=our_fault(error))
+    ran = watch.started()
+    if not ran or for_author or not isinstance(error, Exception) or isinstance(error, OSError):
+        return Verdict(status=Status.INFRASTRUCTURE, message=our_fault(error))
+    return Verdict(
+        status=Status.FAILED,
+        message=f"this check ended early, in a state that {ran} has brought about: {_described(error)}",
+        hint="The solution of this exercise does not bring it about. What does your node do that was not asked for? "
+        "Perhaps it publishes too early or with another type, or takes a name that another node has.",
+        fault=our_fault(error),
+    )
 
 
 def _failed(error: CheckFailed, trouble: Trouble | None, early_ends: str) -> Verdict:
@@ -65,10 +79,14 @@ def _failed(error: CheckFailed, trouble: Trouble | None, early_ends: str) -> Ver
 
 def our_fault(error: BaseException) -> str:
     """One line about an error in our own code, with the innermost place that is known."""
+    return f"this check could not decide, which is not your fault: {_described(error)}"
+
+
+def _described(error: BaseException) -> str:
     place = ""
     trace = error.__traceback__
     while trace is not None:
         place = f" ({Path(trace.tb_frame.f_code.co_filename).name}:{trace.tb_lineno})"
         trace = trace.tb_next
     text = bounded(f"{type(error).__name__}: {error}".rstrip(": "), 300)
-    return f"this check could not decide, which is not your fault: {text}{place}"
+    return f"{text}{place}"

@@ -2,7 +2,8 @@
 
     {"event": "plan", "checks": [result, ...]}      which checks there are, in order
     {"event": "start", "index": 0}                  this one begins
-    {"event": "result", "index": 0, "result": ...}  this one is decided
+    {"event": "result", "index": 0, "result": ...}  this one is decided; with `"fault": "..."`, what is said
+                                                    instead if the reference solution fails there
     {"event": "broken", "text": "..."}              the checks themselves cannot run
     {"event": "end"}                                all is said
 
@@ -29,6 +30,8 @@ class Transcript:
     """Every check, in order, undecided."""
     results: dict[int, CheckResult] = field(default_factory=dict)
     """The decided ones, by their place in the plan."""
+    faults: dict[int, str] = field(default_factory=dict)
+    """What the message of a result is if the reference solution does not pass that check either."""
     running: int | None = None
     """The one that has begun and is not decided."""
     broken: str = ""
@@ -72,6 +75,8 @@ class Transcript:
         if index in self.results or _identity(result) != _identity(planned):
             raise ResultError(f"the result of {planned.name} does not fit the plan")
         self.results[index] = result
+        if event.get("fault"):
+            self.faults[index] = str(event["fault"])
         self.running = None
 
     def _index(self, event: dict[str, object]) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 
 from grader.exercises import Exercise
@@ -12,9 +12,11 @@ from grader.run.job import Job
 from grader.run.launch import Launcher, default_launcher
 from grader.run.supervise import Outcome, TimeLimits, supervise
 from grader.sandbox import Sandbox, find_sandbox
-from grader.submission import Submission
+from grader.submission import Submission, read_notebook, submission_of
 
 _NOTES_SHOWN = 5
+_REFERENCES: dict[tuple[Path, bool, str], frozenset[str]] = {}
+"""What reference solutions pass in this process, by notebook: asked only where a check ended in an error."""
 
 
 def grade_submission(
@@ -39,11 +41,12 @@ def grade_submission(
         limits: Wall-clock limits.
     """
     attempted = submission.attempted(exercise)
+    sandbox = sandbox or find_sandbox()
     with tempfile.TemporaryDirectory(prefix="grader-", ignore_cleanup_errors=True) as folder:
         job = Job(
             exercise=exercise,
             submission=submission,
-            sandbox=sandbox or find_sandbox(),
+            sandbox=sandbox,
             folder=Path(folder),
             hidden=hidden,
             only_list=not attempted,
@@ -53,6 +56,9 @@ def grade_submission(
         outcome = supervise(checker, limits or TimeLimits())
     if attempted:
         checks = decided(outcome)
+        if outcome.transcript.faults:
+            passed = reference_passes(exercise, hidden=hidden, sandbox=sandbox, launcher=launcher)
+            checks = blamed(checks, outcome.transcript.faults, passed)
     else:
         why = _why_not_attempted(submission)
         checks = [_with(check, Status.NOT_ATTEMPTED, why) for check in _plan(outcome)]
@@ -71,6 +77,43 @@ def decided(outcome: Outcome) -> list[CheckResult]:
         outcome.transcript.results.get(index) or _undecided(check, index, outcome)
         for index, check in enumerate(_plan(outcome))
     ]
+
+
+def blamed(
+    checks: Sequence[CheckResult], faults: Mapping[int, str], passed: Collection[str] | None
+) -> list[CheckResult]:
+    """The results, each error of a check a fault of ours if the reference solution does not pass that check.
+
+    Args:
+        checks: The results.
+        faults: What is said of a fault of ours, by place of the check.
+        passed: The checks that the reference solution passes; None if there is no solution here.
+    """
+    return [
+        _with(check, Status.INFRASTRUCTURE, faults[index])
+        if index in faults and passed is not None and check.name not in passed
+        else check
+        for index, check in enumerate(checks)
+    ]
+
+
+def reference_passes(
+    exercise: Exercise, *, hidden: bool, sandbox: Sandbox, launcher: Launcher | None = None
+) -> frozenset[str] | None:
+    """The checks that the reference solution passes; None where a student works, who has none."""
+    folder = exercise.hidden_checks.parent if exercise.hidden_checks else None
+    path = folder / f"{exercise.slug}.ipynb" if folder else None
+    if path is None or not path.is_file():
+        return None
+    key = (path, hidden, sandbox.name)
+    if key not in _REFERENCES:
+        solution = submission_of(read_notebook(path), exercise, student="solution")
+        result = grade_submission(
+            solution, exercise, hidden=hidden, for_author=True, sandbox=sandbox, launcher=launcher
+        )
+        good = [check.name for check in result.checks if check.status is Status.PASSED]
+        _REFERENCES[key] = frozenset(good)
+    return _REFERENCES[key]
 
 
 def _undecided(check: CheckResult, index: int, outcome: Outcome) -> CheckResult:

@@ -123,6 +123,45 @@ def test_an_author_reads_the_fault_of_a_check_though_a_node_failed_and_the_log(
     assert "ERROR /gazebo: the link 'eye' has no mass" in for_author.log.splitlines()
 
 
+NEVER_FIRST = """
+    def test_x(sim, run_node):
+        heard = sim.record({"/chatter": "std_msgs/String"})
+        run_node("talk.py")
+        sim.run(1)
+        heard["/chatter"][0][1].data
+"""
+
+
+def test_an_error_of_a_check_is_the_students_where_their_node_ran(run_checks, workbook):
+    check = run_checks(NEVER_FIRST, workbook.submission(TALK.replace("/chatter", "/tf")))["x"]
+    assert check.status is Status.FAILED
+    assert "talk.py has brought about: IndexError" in check.message
+    assert "test_9_01.py:7" in check.message
+    assert "not your fault" not in check.message
+    assert "not asked for" in check.hint
+
+
+def test_it_is_ours_where_the_reference_solution_fails_too(run_checks, workbook):
+    workbook.write("solutions/9_01_talk.ipynb", workbook.notebook("print('solved')\n"))
+    check = run_checks(NEVER_FIRST, workbook.submission("print('mine')\n"))["x"]
+    assert check.status is Status.INFRASTRUCTURE
+    assert "not your fault: IndexError" in check.message
+    assert check.hint == ""
+
+
+def test_it_stays_the_students_where_the_reference_solution_passes(run_checks, workbook):
+    checks = """
+        def test_x(run_node, sim):
+            node = run_node("talk.py")
+            sim.run(0.1)
+            ["solved"].index(node.output.strip())
+    """
+    workbook.write("solutions/9_01_talk.ipynb", workbook.notebook("print('solved')\n"))
+    check = run_checks(checks, workbook.submission("print('mine')\n"))["x"]
+    assert check.status is Status.FAILED
+    assert "ValueError" in check.message
+
+
 @pytest.mark.parametrize(
     ("checks", "reason"),
     [
