@@ -13,7 +13,8 @@ from grader.exercises import Exercise
 from grader.results import Status
 from grader.submission import Submission
 from simkit import Simulation
-from simkit.graph.process import NodeFailure, Permissions
+from simkit.graph import unmatched_topics
+from simkit.graph.process import NodeFailure, Permissions, ScriptNode
 
 _STATUSES = {"stuck": Status.TIMEOUT, "start": Status.INFRASTRUCTURE}
 """By kind of failure; any other is an error of the script."""
@@ -80,6 +81,17 @@ class NodeWatch:
         ]
         return f"note: {', '.join(ended)} had already ended by itself" if ended else ""
 
+    def unmatched_topics(self) -> str:
+        """A sentence about the first topic of a node whose name is near to one in use; empty if there is none."""
+        graph = self.simulation.graph if self.simulation else None
+        found = [
+            sentence
+            for script, node in self._all_nodes()
+            if graph is not None and isinstance(node, ScriptNode) and node.alive
+            for sentence in unmatched_topics(graph, node, f"note: your node {script}").values()
+        ]
+        return found[0] if found else ""
+
     def _all_nodes(self) -> list[tuple[str, Any]]:
         launched = [
             (planned.type, node) for _, launch in self.launches for planned, node in launch.handles
@@ -93,7 +105,9 @@ def _failure(script: str, failure: NodeFailure) -> Trouble:
     where = f"{place}, in {function}" if function else place
     what = bounded(failure.text.strip(), 600)
     if failure.kind == "exception":
-        what = f"the script stopped with an error\n{what}"
+        # %%writefile is the first line of a cell, and is not in the file.
+        cell = f" (line {failure.line + 1} of the cell that writes it)" if failure.line else ""
+        what = f"the script stopped with an error{cell}\n{what}"
     return Trouble(status=_STATUSES.get(failure.kind, Status.ERROR), message=f"{where}: {what}")
 
 

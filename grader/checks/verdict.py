@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -52,7 +53,7 @@ def verdict_of(
         # No such frame, no message on that topic: the graph is as the student's nodes left it.
         error = CheckFailed(str(error), hint=str(getattr(error, "hint", "")))
     if isinstance(error, CheckFailed):
-        return _failed(error, trouble, watch.early_ends())
+        return _failed(error, trouble, (watch.unmatched_topics(), watch.early_ends()))
     if trouble is not None and not for_author:
         return Verdict(status=trouble.status, message=bounded(trouble.message))
     ran = watch.started()
@@ -67,8 +68,8 @@ def verdict_of(
     )
 
 
-def _failed(error: CheckFailed, trouble: Trouble | None, early_ends: str) -> Verdict:
-    parts = [trouble.message if trouble else "", explanation(error), early_ends]
+def _failed(error: CheckFailed, trouble: Trouble | None, notes: Sequence[str]) -> Verdict:
+    parts = [trouble.message if trouble else "", explanation(error), *notes]
     return Verdict(
         status=trouble.status if trouble else Status.FAILED,
         message=bounded("\n".join(part.strip() for part in parts if part)),

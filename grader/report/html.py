@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from html import escape
+from itertools import groupby
 
 from grader.report.style import PAGE_STYLE, STYLE
 from grader.report.words import ICONS, explained, number, summary
-from grader.results import CheckResult, ExerciseResult
+from grader.results import CheckResult, ExerciseResult, Status
 
 
 def exercise_html(result: ExerciseResult, *, title: str = "", hidden_to_come: bool = False) -> str:
@@ -19,13 +20,12 @@ def exercise_html(result: ExerciseResult, *, title: str = "", hidden_to_come: bo
         hidden_to_come: Whether only public checks ran, and hidden ones run at grading.
     """
     name = f"Exercise {result.exercise_id}" + (f": {title}" if title else "")
-    cards = "".join(_card(check) for check in result.checks)
     return (
         f"<style>{STYLE}</style>"
         f'<section class="grader" aria-label="{escape(name)}">'
         f'<div class="head"><strong>{escape(name)}</strong>'
         f'<span class="sum">{escape(summary(result, hidden_to_come=hidden_to_come))}</span></div>'
-        f'<ol class="cards">{cards}</ol>{_notes(result.notes)}</section>'
+        f'<ol class="cards">{_cards(result.checks)}</ol>{_notes(result.notes)}</section>'
     )
 
 
@@ -47,6 +47,21 @@ def page(title: str, pieces: Sequence[str]) -> str:
         f"<title>{escape(title)}</title><style>{PAGE_STYLE}</style></head>\n"
         f"<body><h1>{escape(title)}</h1>\n{body}\n</body></html>\n"
     )
+
+
+def _cards(checks: Sequence[CheckResult]) -> str:
+    """A card for each check; skipped ones that follow each other lie folded in one, and wait for the same cause."""
+    cards = []
+    for is_skipped, group in groupby(checks, lambda check: check.status is Status.SKIPPED):
+        row = [_card(check) for check in group]
+        if is_skipped and len(row) > 1:
+            inner = f'<ol class="cards">{"".join(row)}</ol>'
+            summary = f"{ICONS[Status.SKIPPED]} {len(row)} checks skipped"
+            row = [
+                f'<li class="skipped"><details><summary>{summary}</summary>{inner}</details></li>'
+            ]
+        cards += row
+    return "".join(cards)
 
 
 def _card(check: CheckResult) -> str:

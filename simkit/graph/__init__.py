@@ -11,6 +11,7 @@ from simkit.graph.log import LogLevel, LogRecord
 from simkit.graph.node import Node, Timer
 from simkit.graph.params import ParameterServer
 from simkit.graph.services import ServiceFailed, ServiceServer
+from simkit.graph.topic_hints import unmatched_topics
 from simkit.graph.topics import Publisher, Subscription
 
 __all__ = [
@@ -28,4 +29,5 @@ __all__ = [
     "ServiceServer",
     "Subscription",
     "Timer",
+    "unmatched_topics",
 ]

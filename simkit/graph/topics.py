@@ -62,6 +62,7 @@ class Publisher(Endpoint):
         self, topic: Topic, node_name: str, *, latch: bool, connected: bool = True
     ) -> None:
         super().__init__(node_name)
+        self.since_ns = topic.executor.now_ns
         self._topic = topic
         self._connected = connected
         self._sequence = 0
@@ -158,6 +159,7 @@ class Subscription(Endpoint):
         connected: bool = True,
     ) -> None:
         super().__init__(node_name)
+        self.since_ns = topic.executor.now_ns
         self._topic = topic
         self._connected = connected
         self._sink = sink

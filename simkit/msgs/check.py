@@ -7,6 +7,7 @@ Source:
 
 from __future__ import annotations
 
+import re
 import reprlib
 import struct
 from collections.abc import Iterator
@@ -75,13 +76,18 @@ def _number_complaints(base: str, value: Any, name: str) -> Iterator[str]:
         yield f"{name} is not a bool{_but(value)}"
     elif base.startswith("float"):
         kind = f"exceeds specified width [{base}]" if _is_number(value) else "must be float type"
-        yield f"{name} {kind}{_but(value)}"
+        yield f"{name} {kind}{_but(value)}{_point_instead_of_comma(value)}"
     elif (base.startswith("u") or base == "char") and not (is_integer and value >= 0):
         yield f"{name} must be unsigned integer type{_but(value)}"
     elif not is_integer:
         yield f"{name} must be an integer type{_but(value)}"
     else:
         yield f"{name} exceeds specified width [{base}]{_but(value)}"
+
+
+def _point_instead_of_comma(value: Any) -> str:
+    has_comma = isinstance(value, str) and re.fullmatch(r"[-+]?\d+,\d+", value)
+    return f"; write a decimal point, {value.replace(',', '.')}" if has_comma else ""
 
 
 def _is_number(value: Any) -> bool:

@@ -140,6 +140,8 @@ def _items(value: object, names: list[str], prefix: str) -> Iterable[tuple[str, 
 def _unknown_field(name: str, names: list[str], prefix: str) -> str:
     near = near_names(name, names)
     meant = f"did you mean {near[0]}? " if near else ""
+    if name.isdigit():  # of {x: 1,5}
+        meant = "a comma begins the next field: write a decimal point, 1.5. "
     return f"No field name [{prefix}{name}]; {meant}Fields: {', '.join(names)}"
 
 

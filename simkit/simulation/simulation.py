@@ -13,6 +13,7 @@ from simkit.graph.executor import nanoseconds
 from simkit.graph.log import Screen, StreamScreen
 from simkit.graph.names import split_command_line
 from simkit.graph.params import ParameterServer
+from simkit.graph.topic_hints import TopicHints
 from simkit.msgs import Time
 from simkit.nodes import builtin_nodes
 from simkit.nodes.builtin import RunningBuiltin
@@ -93,6 +94,7 @@ class Simulation:
         self.gazebo_starter = GazeboStarter(self)
         self.recorder = Recorder(self)
         self.view = View(self)
+        self.view.add(TopicHints(self.graph, self._scripts).look)
         self.world_window = WorldWindow(self)
         self.widgets = Widgets(self)
 

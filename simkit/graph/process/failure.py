@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TextIO
 
+from simkit.graph.process.remedies import remedy_of
+
 OUR_FOLDER = str(Path(__file__).resolve().parents[2])
 LONGEST_TEXT = 2000
 """Longest description of an error [characters]."""
@@ -38,7 +40,7 @@ def describe(error: BaseException, script: str) -> dict[str, Any]:
     """What went wrong, and where in the student's files."""
     if isinstance(error, SyntaxError) and error.filename == script:
         place: dict[str, Any] = {"file": error.filename, "line": error.lineno, "function": None}
-        text = f"{type(error).__name__}: {error.msg}"
+        text = _with_hint(f"{type(error).__name__}: {error.msg}{_line_of(error)}", error)
     else:
         frames = student_frames(error)
         last = frames[-1] if frames else None
@@ -53,8 +55,16 @@ def describe(error: BaseException, script: str) -> dict[str, Any]:
 
 def _last_words(error: BaseException) -> str:
     """What stands below the frames of a traceback: the error, its notes, and the hint that it carries."""
-    text = "".join(traceback.format_exception_only(error)).rstrip("\n")
-    hint = inspect.getattr_static(error, "hint", None)
+    return _with_hint("".join(traceback.format_exception_only(error)).rstrip("\n"), error)
+
+
+def _line_of(error: SyntaxError) -> str:
+    """The line of code at which Python gave up, below its error."""
+    return f"\n    {error.text.strip()}" if error.text and error.text.strip() else ""
+
+
+def _with_hint(text: str, error: BaseException) -> str:
+    hint = inspect.getattr_static(error, "hint", None) or remedy_of(error)
     # A hint may be among the notes already, for tracebacks that Python prints.
     if isinstance(hint, str) and hint and f"hint: {hint}" not in text:
         text += f"\nhint: {hint}"

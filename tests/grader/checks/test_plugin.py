@@ -228,6 +228,44 @@ def test_the_cause_in_a_node_stands_before_its_effect(run_checks, workbook):
     assert check.hint == ""  # it is about the effect
 
 
+def test_a_syntax_error_shows_its_code_its_cell_and_the_usual_cause(run_checks, workbook):
+    check = run_checks(
+        """
+        def test_x(sim, run_node):
+            run_node("talk.py")
+            sim.run(1.0)
+            expect(False, "Nobody talks.")
+        """,
+        workbook.submission("import rospy\nwhile True\n    pass\n"),
+    )["x"]
+    assert check.message.splitlines()[:3] == [
+        "hello_ros/scripts/talk.py:2: the script stopped with an error (line 3 of the cell that writes it)",
+        "SyntaxError: expected ':'",
+        "    while True",
+    ]
+    assert "ends with a colon" in check.message
+
+
+def test_a_topic_that_is_misspelt_is_named_with_the_near_one(run_checks, workbook):
+    check = run_checks(
+        """
+        def test_x(sim, run_node):
+            sim.rosrun("turtlesim", "turtlesim_node")
+            run_node("talk.py")
+            sim.run(1.0)
+            expect(False, "It does not follow.")
+        """,
+        workbook.submission(
+            "import rospy\nfrom turtlesim.msg import Pose\nrospy.init_node('talk')\n"
+            "rospy.Subscriber('/turtle1/poes', Pose, print)\nrospy.spin()\n"
+        ),
+    )["x"]
+    assert check.message.splitlines() == [
+        "It does not follow.",
+        "note: your node talk.py listens to /turtle1/poes, which no node publishes; did you mean /turtle1/pose?",
+    ]
+
+
 def test_what_a_check_asks_of_a_dead_node_is_the_students(run_checks, workbook):
     check = run_checks(
         """

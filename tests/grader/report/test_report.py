@@ -107,6 +107,17 @@ def test_the_chips_can_be_read():
         assert 1.05 / (luminance + 0.05) >= 4.5, colour
 
 
+def test_checks_that_were_skipped_lie_folded_in_one_line():
+    status = [Status.FAILED, Status.SKIPPED, Status.SKIPPED, Status.PASSED, Status.SKIPPED]
+    checks = [
+        CheckResult(name=f"c{i}", title=f"Check {i}.", status=s) for i, s in enumerate(status)
+    ]
+    reader = Reader(exercise_html(ExerciseResult.from_checks("3.1", checks)))
+    assert "2 checks skipped" in reader.text
+    assert all(check.title in reader.text for check in checks)
+    assert [tag for tag, _ in reader.tags].count("details") == 1
+
+
 def gradebook_of(result, student="Ada"):
     return Gradebook(
         sandbox="none", submissions=(StudentResult(student=student, exercises=(result,)),)

@@ -83,6 +83,7 @@ def test_words():
     [
         (Twist, "{liner: {x: 1}}", r"No field name \[liner\]; did you mean linear\?"),
         (Twist, "{linear: {w: 1}}", r"No field name \[linear.w\]; Fields: x, y, z"),
+        (Twist, "{linear: {x: 1,5}}", r"\[linear.5\]; .* write a decimal point, 1.5"),
         (Trajectory, "{points: [{pos: [1]}]}", r"No field name \[points\[\]\.pos\]"),
         (
             Twist,
