@@ -97,26 +97,31 @@ class Page:
 
     def click(self, element: str) -> None:
         """Click with the mouse on what an expression gives."""
-        x, y = self.run(
-            f"(() => {{ const one = {element}; one.scrollIntoView({{block: 'center'}});"
-            "const box = one.getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; })()"
-        )
+        x, y = self._middle(element)
         self._mouse("mousePressed", x, y)
         self._mouse("mouseReleased", x, y)
 
     def drag(self, selector: str, number: int, right_px: float) -> None:
         """Press the mouse on an element, pull it to the right, and let go."""
-        box = self.run(
-            f"(() => {{ const one = document.querySelectorAll({json.dumps(selector)})[{number}];"
-            "one.scrollIntoView({block: 'center'}); const box = one.getBoundingClientRect();"
-            "return [box.x + box.width / 2, box.y + box.height / 2]; })()"
-        )
-        x, y = box
+        x, y = self._middle(f"document.querySelectorAll({json.dumps(selector)})[{number}]")
         self._mouse("mousePressed", x, y)
         steps = 20
         for step in range(1, steps + 1):
             self._mouse("mouseMoved", x + right_px * step / steps, y)
         self._mouse("mouseReleased", x + right_px, y)
+
+    def _middle(self, element: str) -> tuple[float, float]:
+        """The middle of what an expression gives, when it has come to rest: what is above it may still load."""
+        middle = (
+            f"(() => {{ const one = {element}; one.scrollIntoView({{block: 'center'}});"
+            "const box = one.getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; })()"
+        )
+        before, now = None, self.run(middle)
+        while now != before:
+            time.sleep(0.5)
+            before, now = now, self.run(middle)
+        x, y = now
+        return x, y
 
     def _mouse(self, kind: str, x: float, y: float) -> None:
         self.call(
