@@ -74,10 +74,10 @@ class PackagePath:
         self, folders: Sequence[str | Path] | None = None, *, confined: bool = False
     ) -> None:
         more = [] if confined else _folders_of_environment()
-        given = [Path.cwd()] if folders is None else list(folders)
-        if folders is None and Path.cwd().parent == Path.cwd():
-            given = []  # nobody means the whole disk
-        self.folders = [Path(folder).absolute() for folder in [*given, *more]]
+        if folders is None:
+            here = Path.cwd()
+            folders = [] if here == here.parent else [here]  # nobody means the whole disk
+        self.folders = [Path(folder).absolute() for folder in [*folders, *more]]
         self.confined = confined
 
     def prefer(self, folders: Sequence[str | Path]) -> None:

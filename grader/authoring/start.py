@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
 from collections.abc import Iterator
@@ -55,14 +56,12 @@ def start(root: Path, exercise_id: str, *, work: Path | None = None) -> Started:
     """
     exercise = get_exercise(root, exercise_id)
     work = work if work is not None else root / "work"
-    try:
+    with _written(work):
         folders = _make_packages(exercise, work)
         released = root / "exercises" / f"{exercise.slug}.ipynb"
         notebook = work / released.name
         what = f"exercise {exercise.id}"
         message = _copy(released, notebook, work, key=exercise.slug, what=what)
-    except OSError as error:
-        raise GraderError(f"cannot write to {work}: {error}") from error
     return Started(notebook=notebook, messages=(message, *folders))
 
 
@@ -81,7 +80,7 @@ def start_lectures(root: Path, *, work: Path | None = None) -> tuple[str, ...]:
     """
     work = work if work is not None else root / "work"
     folder = work / FOLDER
-    try:
+    with _written(work):
         folder.mkdir(parents=True, exist_ok=True)
         return tuple(
             _copy(
@@ -89,8 +88,6 @@ def start_lectures(root: Path, *, work: Path | None = None) -> tuple[str, ...]:
             )
             for released, what in _lectures(root)
         )
-    except OSError as error:
-        raise GraderError(f"cannot write to {work}: {error}") from error
 
 
 def start_page_of(root: Path, *, work: Path | None = None) -> tuple[str, ...]:
@@ -111,12 +108,19 @@ def start_page_of(root: Path, *, work: Path | None = None) -> tuple[str, ...]:
     record = _read_record(work)
     if page.exists() and _fingerprint(page) != record.get(NAME):
         return ()
-    try:
+    with _written(work):
         page.write_text(start_page(root, work), encoding="utf-8", newline="\n")
         _write_record(work, record | {NAME: _fingerprint(page)})
+    return (f"begin with {page.name}",)
+
+
+@contextlib.contextmanager
+def _written(work: Path) -> Iterator[None]:
+    """Say in one sentence that the working folder cannot be written."""
+    try:
+        yield
     except OSError as error:
         raise GraderError(f"cannot write to {work}: {error}") from error
-    return (f"begin with {page.name}",)
 
 
 def _lectures(root: Path) -> Iterator[tuple[Path, str]]:

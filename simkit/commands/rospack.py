@@ -18,8 +18,8 @@ from simkit.errors import SimkitError, UnknownNameError
 from simkit.nodes import builtin_nodes
 from simkit.packages import PATH_VARIABLES, PackagePath
 
-ROS_VERSION = "1.17.4"
-"""Version of rospy in ROS Noetic's last release."""
+ROS_VERSION = "1.16.0"
+"""Version of rospy and roscpp in a release of ROS Noetic."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

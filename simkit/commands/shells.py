@@ -7,11 +7,11 @@ import shlex
 import shutil
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from simkit.commands.words import all_words
-from simkit.live.session import session_file
+from simkit.live.session import own_folder
 from simkit.packages import PATH_VARIABLES, PackagePath
 
 PACKAGES = PATH_VARIABLES[0]
@@ -63,6 +63,12 @@ class Shell:
     """Defines `roscd` and what Tab completes; `@WORDS@` are the words of ROS."""
     end: str
     """Takes it back."""
+    options: Sequence[str] = ("-i",)
+    """Options of a shell for a person; `@FOLDER@` has the settings, `@ENV@` prints what `begin` is part of."""
+    settings: Mapping[str, str] = field(default_factory=dict)
+    """Files of settings, by name."""
+    environment: Mapping[str, str] = field(default_factory=dict)
+    """Variables that lead to the settings."""
 
 
 def _posix_assignment(name: str, value: str) -> str:
@@ -78,25 +84,43 @@ def _powershell_assignment(name: str, value: str) -> str:
     return f"$env:{name} = '{quoted}'\n"
 
 
+_EVAL = 'PS1="(simkit) $PS1"\neval "$(@ENV@)"\n'
 SHELLS: Mapping[str, Shell] = {
-    "sh": Shell(assignment=_posix_assignment, begin=_ROSCD, end="unset -f roscd\n"),
+    "sh": Shell(
+        assignment=_posix_assignment,
+        begin=_ROSCD,
+        end="unset -f roscd\n",
+        settings={"shrc": _EVAL},
+        environment={"ENV": "@FOLDER@/shrc"},
+    ),
     "bash": Shell(
         assignment=_posix_assignment,
         begin=_ROSCD + _BASH,
         end="complete -r @WORDS@ 2>/dev/null\nunset -f roscd _simkit_complete\n",
+        options=("--rcfile", "@FOLDER@/bashrc", "-i"),
+        settings={"bashrc": f"[ -f ~/.bashrc ] && . ~/.bashrc\n{_EVAL}"},
     ),
     "zsh": Shell(
         assignment=_posix_assignment,
         begin=_ROSCD + _ZSH,
         end="compdef -d @WORDS@ 2>/dev/null\nunset -f roscd _simkit_complete\n",
+        settings={
+            ".zshenv": '[ -f "$HOME/.zshenv" ] && . "$HOME/.zshenv"\n',
+            ".zshrc": f'ZDOTDIR="$HOME"\n[ -f "$HOME/.zshrc" ] && . "$HOME/.zshrc"\n{_EVAL}',
+        },
+        environment={"ZDOTDIR": "@FOLDER@"},
     ),
     "fish": Shell(
         assignment=_fish_assignment,
         begin=_FISH,
         end="functions -e roscd\nfor word in @WORDS@; complete -c $word -e; end\n",
+        options=("-C", "@ENV@ | source"),
     ),
     "powershell": Shell(
-        assignment=_powershell_assignment, begin=_POWERSHELL, end="Remove-Item function:roscd\n"
+        assignment=_powershell_assignment,
+        begin=_POWERSHELL,
+        end="Remove-Item function:roscd\n",
+        options=("-NoExit", "-Command", "& @ENV@ | Out-String | Invoke-Expression"),
     ),
 }
 """The shells by name."""
@@ -120,10 +144,10 @@ def begin_text(shell: str) -> str:
     Args:
         shell: Its name in `SHELLS`.
     """
-    here = str(Path.cwd())
+    here, words = str(Path.cwd()), words_folder()
     workspace = [here] if PackagePath([here], confined=True).packages() else []
     variables = {
-        "PATH": [str(words_folder()), *_folders("PATH", without=words_folder())],
+        "PATH": [str(words), *_folders("PATH", without=words)],
         PACKAGES: [*workspace, *_folders(PACKAGES, without=here)],
         WORKSPACE: workspace or _folders(WORKSPACE),
     }
@@ -154,27 +178,18 @@ def interactive(shell: str, program: str) -> tuple[list[str], dict[str, str]]:
         shell: Its name in `SHELLS`.
         program: Its program.
     """
+    kind = SHELLS[shell]
     folder = words_folder().parent / "settings"
     folder.mkdir(exist_ok=True)
     env = [sys.executable, "-P", "-m", "simkit.cli", "env", "--force", "--shell", shell]
-    words = f'eval "$({shlex.join(env)})"\n'
-    if shell == "bash":
-        own = '[ -f ~/.bashrc ] && . ~/.bashrc\nPS1="(simkit) $PS1"\n'
-        (folder / "bashrc").write_text(own + words)
-        return [program, "--rcfile", str(folder / "bashrc"), "-i"], {}
-    if shell == "zsh":
-        (folder / ".zshenv").write_text('[ -f "$HOME/.zshenv" ] && . "$HOME/.zshenv"\n')
-        own = 'ZDOTDIR="$HOME"\n[ -f "$HOME/.zshrc" ] && . "$HOME/.zshrc"\nPS1="(simkit) $PS1"\n'
-        (folder / ".zshrc").write_text(own + words)
-        return [program, "-i"], {"ZDOTDIR": str(folder)}
-    if shell == "fish":
-        return [program, "-C", f"{shlex.join(env)} | source"], {}
-    if shell == "powershell":
-        quoted = " ".join(f"'{word}'" for word in env)
-        text = f"& {quoted} | Out-String | Invoke-Expression"
-        return [program, "-NoExit", "-Command", text], {}
-    (folder / "shrc").write_text('PS1="(simkit) $PS1"\n' + words)
-    return [program, "-i"], {"ENV": str(folder / "shrc")}
+
+    def filled(text: str) -> str:
+        return text.replace("@FOLDER@", str(folder)).replace("@ENV@", shlex.join(env))
+
+    for name, text in kind.settings.items():
+        (folder / name).write_text(filled(text))
+    more = {name: filled(value) for name, value in kind.environment.items()}
+    return [program, *map(filled, kind.options)], more
 
 
 def program_elsewhere(name: str) -> str | None:
@@ -201,12 +216,12 @@ def words_folder() -> Path:
 
     Raises:
         OSError: Neither can be written.
+        SessionError: The temporary folder belongs to somebody else.
     """
-    of_user = session_file().parent / "words"
     try:
         return _with_programs(Path(sys.prefix) / "share" / "simkit" / "words")
     except OSError:
-        return _with_programs(of_user)
+        return _with_programs(own_folder() / "words")
 
 
 def _with_programs(folder: Path) -> Path:

@@ -48,6 +48,21 @@ def session_file() -> Path:
     return Path(tempfile.gettempdir()) / f"simkit-{user}" / "session.json"
 
 
+def own_folder() -> Path:
+    """The folder of the session file, which is this user's alone; makes it.
+
+    Raises:
+        SessionError: It belongs to somebody else, who could put there what they like.
+    """
+    folder = session_file().parent
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    if hasattr(os, "getuid") and folder.stat().st_uid != os.getuid():
+        raise SessionError(
+            f"{folder} belongs to another user; set {FILE_VARIABLE} to a file of yours"
+        )
+    return folder
+
+
 @contextlib.contextmanager
 def announced(session: Session) -> Iterator[None]:
     """Publish a session while the body runs.
@@ -55,12 +70,7 @@ def announced(session: Session) -> Iterator[None]:
     Raises:
         SessionError: The folder for it belongs to somebody else.
     """
-    path = session_file()
-    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-    if hasattr(os, "getuid") and path.parent.stat().st_uid != os.getuid():
-        raise SessionError(
-            f"{path.parent} belongs to another user; set {FILE_VARIABLE} to a file of yours"
-        )
+    path = own_folder() / session_file().name
     new = path.with_suffix(f".{session.pid}")
     descriptor = os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
     with os.fdopen(descriptor, "w") as file:
@@ -78,8 +88,8 @@ def announced(session: Session) -> Iterator[None]:
 def coming_up() -> Iterator[None]:
     """Let commands of other terminals wait, while the body runs, until it has announced a session."""
     file = _coming_up_file()
-    with contextlib.suppress(OSError):  # then nobody waits
-        file.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    with contextlib.suppress(OSError, SessionError):  # then nobody waits
+        own_folder()
         file.touch()
     try:
         yield

@@ -7,13 +7,13 @@ import re
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
 from simkit.commands.shells import SHELLS, begin_text, program_elsewhere, words_folder
-from simkit.commands.table import COMMANDS
+from simkit.commands.table import COMMANDS, THIS_INSTALLATION
 from simkit.commands.words import ABSENT, SHORTHANDS, all_words
+from simkit.live.session import SessionError
 from tests.laws import broken_laws
 
 SIMKIT = f"'{sys.executable}' -m simkit.cli"
@@ -69,18 +69,10 @@ def test_undo_leaves_the_environment_as_it_was(shell, package):
     assert after == before
 
 
-def test_a_word_is_a_program_of_ros_and_hides_none_of_the_system():
-    hidden = [word for word in all_words() if Path("/usr/bin", word).exists()]
-    own = {
-        "check_urdf",
-        "urdf_to_graphiz",
-        "urdf_to_graphviz",
-        "xacro",
-    }  # Debian has packages of them
-    assert (
-        not set(hidden) - own - {word for word in hidden if word.startswith(("ros", "catkin", "r"))}
-    )
-    assert "env" not in all_words()
+def test_what_is_no_program_of_ros_is_no_word():
+    ours = {name for name, entry in COMMANDS.items() if entry.group == THIS_INSTALLATION}
+    assert {"doctor", "env", "shell"} <= ours  # env is another program, too, on every machine
+    assert not ours & set(all_words())
 
 
 def test_what_stands_in_for_an_absent_program_is_there():
@@ -122,6 +114,15 @@ def test_words_of_an_environment_that_is_read_only_lie_in_the_users_own_folder(
     assert words_folder() == tmp_path / "mine" / "words"
     assert program_elsewhere("surely_nothing_has_this_name") is None
     assert str(words_folder()) in begin_text("sh")
+
+
+def test_words_in_a_folder_of_another_user_are_refused(monkeypatch, tmp_path):
+    (tmp_path / "file").touch()
+    monkeypatch.setattr(sys, "prefix", str(tmp_path / "file"))
+    monkeypatch.setenv("SIMKIT_SESSION", str(tmp_path / "session.json"))
+    monkeypatch.setattr(os, "getuid", lambda: 12345)
+    with pytest.raises(SessionError, match="belongs to another user"):
+        words_folder()
 
 
 def test_a_shell_of_its_own_has_the_words(package):
